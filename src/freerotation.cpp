@@ -1,0 +1,236 @@
+#include <cyclone/freerotation.h>
+
+#include <algorithm>
+
+// The loader picks the widest version that the processor has; none of them fuses or reorders operations, so all
+// give the same bits. Sanitizers run before the loader has chosen, and do without.
+#if defined(__x86_64__) && defined(__gnu_linux__) && defined(__GLIBC__) && defined(__GNUC__) && \
+    !defined(__clang__) && !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__) &&    \
+    !defined(__AVX2__)
+#define CYCLONE_WIDEST_VERSION __attribute__((target_clones("default", "avx2")))
+#else
+#define CYCLONE_WIDEST_VERSION
+#endif
+
+#if defined(__GNUC__)
+#define CYCLONE_INLINE [[gnu::always_inline]] inline
+#else
+#define CYCLONE_INLINE inline
+#endif
+
+namespace cyclone {
+
+namespace {
+
+using Lanes = FreeRotation::Lanes;
+
+/// tan x = numerator/denominator to x⁹ (Padé); the two are a rotation by 2x, up to a common factor, whatever x is.
+CYCLONE_INLINE real tangentNumerator(real x, real xx) { return x * (945 + xx * (xx - 105)); }
+CYCLONE_INLINE real tangentDenominator(real xx) { return 945 + xx * (15 * xx - 420); }
+
+/// What one step needs between its phases.
+struct Work {
+    Lanes l0, l1, l2;              // angular momentum in principal axes, at the start
+    Lanes turned1, turned2;        // l1 and l2 as the later turns find them
+    Lanes axis1Gain, axis1Loss;    // half angle about axis 1 = l1·(gain − loss·l1²)
+    Lanes axis2Gain, axis2Loss;    // half angle about axis 2 = l2·(gain − loss·l2²)
+    Lanes n1, d1, n2, d2, n3, d3;  // tangents of the three half angles, as fractions
+    Lanes r, i, j, k;              // the step's rotation
+    Lanes squaredAngle;            // sum of the squares of all half angles
+};
+
+/// l = Rᵀ·L
+CYCLONE_INLINE void momentumToPrincipalAxes(const FreeRotation &b, Work &w, int lanes) {
+    for (int n = 0; n < lanes; ++n) {
+        const real r = b.orientation[0][n], i = b.orientation[1][n], j = b.orientation[2][n],
+                   k = b.orientation[3][n];
+        const real x = b.momentum[0][n], y = b.momentum[1][n], z = b.momentum[2][n];
+        const real tx = 2 * (y * k - z * j), ty = 2 * (z * i - x * k), tz = 2 * (x * j - y * i);
+        w.l0[n] = x + r * tx + (ty * k - tz * j);
+        w.l1[n] = y + r * ty + (tz * i - tx * k);
+        w.l2[n] = z + r * tz + (tx * j - ty * i);
+    }
+}
+
+/// The angles' corrections, from the two constants of the motion, |l|² and the energy above i0·|l|²/2.
+CYCLONE_INLINE void correctAngles(const FreeRotation &b, Work &w, int lanes, real h) {
+    const real hh = h * h;
+    for (int n = 0; n < lanes; ++n) {
+        const real alpha = b.inverseInertia[1][n] - b.inverseInertia[0][n];
+        const real beta = b.inverseInertia[2][n] - b.inverseInertia[0][n];
+        const real l0 = w.l0[n], l1 = w.l1[n], l2 = w.l2[n];
+        const real square = l0 * l0 + l1 * l1 + l2 * l2;
+        const real both = alpha * beta * square * hh;
+        const real common = 1 - (alpha - 2 * beta) * (alpha * l1 * l1 + beta * l2 * l2) * hh * (1.0 / 6);
+        w.axis1Gain[n] = alpha * h * 0.25 * (common + both * (1.0 / 12));
+        w.axis1Loss[n] = alpha * h * 0.25 * (alpha * (3 * beta - alpha) * hh * (1.0 / 6));
+        w.axis2Gain[n] = beta * h * 0.5 * (common - both * (1.0 / 6));
+        w.axis2Loss[n] = beta * h * 0.5 * (beta * (2 * beta - 3 * alpha) * hh * (1.0 / 6));
+    }
+}
+
+/// Half a turn about axis 1, one about axis 2, half a turn about axis 1.
+CYCLONE_INLINE void turnAboutAxes(Work &w, int lanes) {
+    for (int n = 0; n < lanes; ++n) {
+        const real u1 = w.l1[n] * (w.axis1Gain[n] - w.axis1Loss[n] * w.l1[n] * w.l1[n]), uu1 = u1 * u1;
+        const real n1 = tangentNumerator(u1, uu1), d1 = tangentDenominator(uu1);
+        const real scale1 = 1 / (n1 * n1 + d1 * d1);
+        const real c1 = (d1 * d1 - n1 * n1) * scale1, s1 = 2 * n1 * d1 * scale1;
+        const real lx = c1 * w.l0[n] - s1 * w.l2[n];
+        const real lz = c1 * w.l2[n] + s1 * w.l0[n];
+
+        const real u2 = lz * (w.axis2Gain[n] - w.axis2Loss[n] * lz * lz), uu2 = u2 * u2;
+        const real n2 = tangentNumerator(u2, uu2), d2 = tangentDenominator(uu2);
+        const real scale2 = 1 / (n2 * n2 + d2 * d2);
+        const real c2 = (d2 * d2 - n2 * n2) * scale2, s2 = 2 * n2 * d2 * scale2;
+        const real ly = c2 * w.l1[n] - s2 * lx;
+
+        const real u3 = ly * (w.axis1Gain[n] - w.axis1Loss[n] * ly * ly), uu3 = u3 * u3;
+        w.n1[n] = n1, w.d1[n] = d1;
+        w.n2[n] = n2, w.d2[n] = d2;
+        w.n3[n] = tangentNumerator(u3, uu3), w.d3[n] = tangentDenominator(uu3);
+        w.turned1[n] = ly, w.turned2[n] = lz;
+        w.squaredAngle[n] = uu1 + uu2 + uu3;
+    }
+}
+
+/// The turn about l as a quaternion, times the three turns about the axes.
+CYCLONE_INLINE void composeTurns(const FreeRotation &b, Work &w, int lanes, real h) {
+    for (int n = 0; n < lanes; ++n) {
+        const real i0 = b.inverseInertia[0][n];
+        const real alpha = b.inverseInertia[1][n] - i0, beta = b.inverseInertia[2][n] - i0;
+        const real l1 = w.l1[n], ly = w.turned1[n], lz = w.turned2[n];
+        const real rate = i0 + alpha * beta * h * h * (1.0 / 12) *
+                                   (alpha * 0.5 * (l1 * l1 + ly * ly) - 2 * beta * (lz * lz));
+        const real fx = w.l0[n] * (h * 0.5 * rate), fy = l1 * (h * 0.5 * rate), fz = w.l2[n] * (h * 0.5 * rate);
+        const real ff = fx * fx + fy * fy + fz * fz;
+        const real sine = tangentNumerator(1, ff), cosine = tangentDenominator(ff);
+        w.squaredAngle[n] += ff;
+
+        // (cosine, sine·f)·(d1, 0, n1, 0)
+        const real ai = fx * sine, aj = fy * sine, ak = fz * sine, n1 = w.n1[n], d1 = w.d1[n];
+        const real br = cosine * d1 - aj * n1, bi = ai * d1 - ak * n1, bj = aj * d1 + cosine * n1,
+                   bk = ak * d1 + ai * n1;
+        // ·(d2, 0, 0, n2)
+        const real n2 = w.n2[n], d2 = w.d2[n];
+        const real cr = br * d2 - bk * n2, ci = bi * d2 + bj * n2, cj = bj * d2 - bi * n2,
+                   ck = bk * d2 + br * n2;
+        // ·(d3, 0, n3, 0)
+        const real n3 = w.n3[n], d3 = w.d3[n];
+        w.r[n] = cr * d3 - cj * n3;
+        w.i[n] = ci * d3 - ck * n3;
+        w.j[n] = cj * d3 + cr * n3;
+        w.k[n] = ck * d3 + ci * n3;
+    }
+}
+
+CYCLONE_INLINE void turnOrientation(FreeRotation &b, const Work &w, int lanes) {
+    for (int n = 0; n < lanes; ++n) {
+        const real r = b.orientation[0][n], i = b.orientation[1][n], j = b.orientation[2][n],
+                   k = b.orientation[3][n];
+        const real sr = w.r[n], si = w.i[n], sj = w.j[n], sk = w.k[n];
+        const real qr = r * sr - i * si - j * sj - k * sk;
+        const real qi = r * si + i * sr + j * sk - k * sj;
+        const real qj = r * sj + j * sr + k * si - i * sk;
+        const real qk = r * sk + k * sr + i * sj - j * si;
+        const real scale = 1 / real_sqrt(qr * qr + qi * qi + qj * qj + qk * qk);
+        b.orientation[0][n] = qr * scale;
+        b.orientation[1][n] = qi * scale;
+        b.orientation[2][n] = qj * scale;
+        b.orientation[3][n] = qk * scale;
+    }
+}
+
+/// The matrix R of the new orientation, and the rotation R·diag(i0, i1, i2)·Rᵀ·L.
+CYCLONE_INLINE void renewRotation(FreeRotation &b, int lanes) {
+    for (int n = 0; n < lanes; ++n) {
+        const real r = b.orientation[0][n], i = b.orientation[1][n], j = b.orientation[2][n],
+                   k = b.orientation[3][n];
+        const real ii = 2 * i * i, jj = 2 * j * j, kk = 2 * k * k, ij = 2 * i * j, ik = 2 * i * k,
+                   jk = 2 * j * k, ri = 2 * r * i, rj = 2 * r * j, rk = 2 * r * k;
+        const real xx = 1 - (jj + kk), xy = ij - rk, xz = ik + rj;
+        const real yx = ij + rk, yy = 1 - (ii + kk), yz = jk - ri;
+        const real zx = ik - rj, zy = jk + ri, zz = 1 - (ii + jj);
+        const real x = b.finalMomentum[0][n], y = b.finalMomentum[1][n], z = b.finalMomentum[2][n];
+        const real w0 = b.inverseInertia[0][n] * (xx * x + yx * y + zx * z);
+        const real w1 = b.inverseInertia[1][n] * (xy * x + yy * y + zy * z);
+        const real w2 = b.inverseInertia[2][n] * (xz * x + yz * y + zz * z);
+        b.matrix[0][n] = xx, b.matrix[1][n] = xy, b.matrix[2][n] = xz;
+        b.matrix[3][n] = yx, b.matrix[4][n] = yy, b.matrix[5][n] = yz;
+        b.matrix[6][n] = zx, b.matrix[7][n] = zy, b.matrix[8][n] = zz;
+        b.rotation[0][n] = xx * w0 + xy * w1 + xz * w2;
+        b.rotation[1][n] = yx * w0 + yy * w1 + yz * w2;
+        b.rotation[2][n] = zx * w0 + zy * w1 + zz * w2;
+    }
+}
+
+/// The rotation of one step, as a quaternion of any length, and the measure of its angles.
+CYCLONE_INLINE void computeTurns(const FreeRotation &b, Work &w, int lanes, real h) {
+    momentumToPrincipalAxes(b, w, lanes);
+    correctAngles(b, w, lanes, h);
+    turnAboutAxes(w, lanes);
+    composeTurns(b, w, lanes, h);
+}
+
+void copyLane(const FreeRotation &from, int fromLane, FreeRotation &to, int toLane) {
+    for (int n = 0; n < 3; ++n) to.inverseInertia[n][toLane] = from.inverseInertia[n][fromLane];
+    for (int n = 0; n < 3; ++n) to.momentum[n][toLane] = from.momentum[n][fromLane];
+    for (int n = 0; n < 4; ++n) to.orientation[n][toLane] = from.orientation[n][fromLane];
+}
+
+constexpr int MAX_SUBSTEPS = 64;
+
+/// The side road for a lane that turns far: the step in 2, 4 … 64 parts, each of which turns by at most 1 rad.
+void advanceInSubsteps(FreeRotation &block, int lane, real h) {
+    FreeRotation one;
+    copyLane(block, lane, one, 0);
+    const real squaredMomentum = one.momentum[0][0] * one.momentum[0][0] +
+                                 one.momentum[1][0] * one.momentum[1][0] +
+                                 one.momentum[2][0] * one.momentum[2][0];
+    const real fastest = real_sqrt(squaredMomentum) * std::max({one.inverseInertia[0][0], one.inverseInertia[1][0],
+                                                                one.inverseInertia[2][0]});
+    int substeps = 2;
+    while (substeps < MAX_SUBSTEPS && fastest * h > substeps) substeps *= 2;
+    real duration = h / substeps;
+    if (fastest * duration > 1) duration = 1 / fastest;
+
+    Work work;
+    for (int n = 0; n < substeps; ++n) {
+        computeTurns(one, work, 1, duration);
+        turnOrientation(one, work, 1);
+    }
+    copyLane(one, 0, block, lane);
+}
+
+CYCLONE_INLINE void advanceLanes(FreeRotation &block, int lanes, real h) {
+    Work work;
+    computeTurns(block, work, lanes, h);
+
+    real before[4][FreeRotation::LANES];
+    for (int part = 0; part < 4; ++part)
+        for (int n = 0; n < lanes; ++n) before[part][n] = block.orientation[part][n];
+    turnOrientation(block, work, lanes);
+    for (int n = 0; n < lanes; ++n) {
+        if (work.squaredAngle[n] <= 1) continue;
+        for (int part = 0; part < 4; ++part) block.orientation[part][n] = before[part][n];
+        advanceInSubsteps(block, n, h);
+    }
+    renewRotation(block, lanes);
+}
+
+CYCLONE_WIDEST_VERSION void advanceBlock(FreeRotation &block, real h) {
+    advanceLanes(block, FreeRotation::LANES, h);
+}
+
+}  // namespace
+
+void FreeRotation::advance(int lanes, real duration) {
+    if (lanes == LANES)
+        advanceBlock(*this, duration);
+    else if (lanes == 1)
+        advanceLanes(*this, 1, duration);
+    else
+        advanceLanes(*this, lanes, duration);
+}
+
+}  // namespace cyclone
