@@ -2,10 +2,10 @@
 
 #include <algorithm>
 
-// The loader picks the widest version that the processor has; none of them fuses or reorders operations, so all
-// give the same bits. Sanitizers run before the loader has chosen, and do without.
+// The loader picks the widest version that the processor has; none of them fuses or reorders operations, so
+// all give the same bits. Sanitizers run before the loader has chosen, and do without.
 #if defined(__x86_64__) && defined(__gnu_linux__) && defined(__GLIBC__) && defined(__GNUC__) && \
-    !defined(__clang__) && !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__) &&    \
+    !defined(__clang__) && !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__) &&   \
     !defined(__AVX2__)
 #define CYCLONE_WIDEST_VERSION __attribute__((target_clones("default", "avx2")))
 #else
@@ -24,7 +24,8 @@ namespace {
 
 using Lanes = FreeRotation::Lanes;
 
-/// tan x = numerator/denominator to x⁹ (Padé); the two are a rotation by 2x, up to a common factor, whatever x is.
+/// tan x = numerator/denominator to x⁹ (Padé); the two are a rotation by 2x, up to a common factor, whatever
+/// x is.
 CYCLONE_INLINE real tangentNumerator(real x, real xx) { return x * (945 + xx * (xx - 105)); }
 CYCLONE_INLINE real tangentDenominator(real xx) { return 945 + xx * (15 * xx - 420); }
 
@@ -102,7 +103,8 @@ CYCLONE_INLINE void composeTurns(const FreeRotation &b, Work &w, int lanes, real
         const real l1 = w.l1[n], ly = w.turned1[n], lz = w.turned2[n];
         const real rate = i0 + alpha * beta * h * h * (1.0 / 12) *
                                    (alpha * 0.5 * (l1 * l1 + ly * ly) - 2 * beta * (lz * lz));
-        const real fx = w.l0[n] * (h * 0.5 * rate), fy = l1 * (h * 0.5 * rate), fz = w.l2[n] * (h * 0.5 * rate);
+        const real fx = w.l0[n] * (h * 0.5 * rate), fy = l1 * (h * 0.5 * rate),
+                   fz = w.l2[n] * (h * 0.5 * rate);
         const real ff = fx * fx + fy * fy + fz * fz;
         const real sine = tangentNumerator(1, ff), cosine = tangentDenominator(ff);
         w.squaredAngle[n] += ff;
@@ -180,15 +182,17 @@ void copyLane(const FreeRotation &from, int fromLane, FreeRotation &to, int toLa
 
 constexpr int MAX_SUBSTEPS = 64;
 
-/// The side road for a lane that turns far: the step in 2, 4 … 64 parts, each of which turns by at most 1 rad.
+/// The side road for a lane that turns far: the step in 2, 4 … 64 parts, each of which turns by at most 1
+/// rad.
 void advanceInSubsteps(FreeRotation &block, int lane, real h) {
     FreeRotation one;
     copyLane(block, lane, one, 0);
     const real squaredMomentum = one.momentum[0][0] * one.momentum[0][0] +
                                  one.momentum[1][0] * one.momentum[1][0] +
                                  one.momentum[2][0] * one.momentum[2][0];
-    const real fastest = real_sqrt(squaredMomentum) * std::max({one.inverseInertia[0][0], one.inverseInertia[1][0],
-                                                                one.inverseInertia[2][0]});
+    const real fastest =
+        real_sqrt(squaredMomentum) *
+        std::max({one.inverseInertia[0][0], one.inverseInertia[1][0], one.inverseInertia[2][0]});
     int substeps = 2;
     while (substeps < MAX_SUBSTEPS && fastest * h > substeps) substeps *= 2;
     real duration = h / substeps;

@@ -4,7 +4,8 @@
 ///
 /// Constructors and setters check their arguments before they change anything. A bad one ends in
 /// std::invalid_argument; built without exceptions, the same text goes to stderr and the program aborts.
-/// Forces are not checked: a body whose step would become non-finite keeps its state, see RigidBody::integrate.
+/// Forces are not checked: a body whose step would become non-finite keeps its state, see
+/// RigidBody::integrate.
 #include <cyclone/precision.h>
 
 #include <initializer_list>

@@ -194,11 +194,10 @@ public:
     Matrix3 operator+(const Matrix3 &m) const;
     void operator+=(const Matrix3 &m) { *this = *this + m; }
 
-    constexpr real getDeterminant() const {
-        return getRowVector(0) * (getRowVector(1) % getRowVector(2));
-    }
-    /// Becomes the inverse of m, which may be this matrix itself. Returns false, and changes nothing, when m is
-    /// singular: when its determinant does not stand out from the rounding of the products it is summed from.
+    constexpr real getDeterminant() const { return getRowVector(0) * (getRowVector(1) % getRowVector(2)); }
+    /// Becomes the inverse of m, which may be this matrix itself. Returns false, and changes nothing, when m
+    /// is singular: when its determinant does not stand out from the rounding of the products it is summed
+    /// from.
     [[nodiscard]] bool setInverse(const Matrix3 &m);
     [[nodiscard]] bool invert() { return setInverse(*this); }
     /// The inverse; refuses a singular matrix.
@@ -212,7 +211,8 @@ public:
     void setDiagonal(real a, real b, real c) { *this = Matrix3(a, 0, 0, 0, b, 0, 0, 0, c); }
     /// Times w, this matrix is then v × w.
     void setSkewSymmetric(const Vector3 &v) { *this = Matrix3(0, -v.z, v.y, v.z, 0, -v.x, -v.y, v.x, 0); }
-    /// From moments (∫(y²+z²)dm …) and products of inertia (∫xy dm …), kg·m²; the products enter with a minus.
+    /// From moments (∫(y²+z²)dm …) and products of inertia (∫xy dm …), kg·m²; the products enter with a
+    /// minus.
     void setInertiaTensorCoeffs(real ix, real iy, real iz, real ixy = 0, real ixz = 0, real iyz = 0) {
         *this = Matrix3(ix, -ixy, -ixz, -ixy, iy, -iyz, -ixz, -iyz, iz);
     }
@@ -230,19 +230,21 @@ public:
     bool isFinite() const;
 };
 
-/// An affine transform, 3×4: its last column moves, its fourth row (0 0 0 1) is implied. The identity by default.
-/// As a body's transform it takes body coordinates to world coordinates, and its 3×3 part is a rotation.
+/// An affine transform, 3×4: its last column moves, its fourth row (0 0 0 1) is implied. The identity by
+/// default. As a body's transform it takes body coordinates to world coordinates, and its 3×3 part is a
+/// rotation.
 class Matrix4 {
 public:
     real data[12] = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0};  ///< row by row
 
     constexpr Matrix4() = default;
     /// From its twelve numbers, row by row.
-    constexpr Matrix4(real c0, real c1, real c2, real c3, real c4, real c5, real c6, real c7, real c8, real c9,
-                      real c10, real c11)
+    constexpr Matrix4(real c0, real c1, real c2, real c3, real c4, real c5, real c6, real c7, real c8,
+                      real c9, real c10, real c11)
         : data{c0, c1, c2, c3, c4, c5, c6, c7, c8, c9, c10, c11} {}
 
-    /// Column 0, 1 or 2: where the transform takes the direction of that axis; column 3: where it takes the origin.
+    /// Column 0, 1 or 2: where the transform takes the direction of that axis; column 3: where it takes the
+    /// origin.
     constexpr Vector3 getAxisVector(unsigned column) const {
         return Vector3(data[column], data[column + 4], data[column + 8]);
     }
@@ -277,11 +279,9 @@ public:
     Matrix4 operator*(const Matrix4 &m) const;
     void operator*=(const Matrix4 &m) { *this = *this * m; }
 
-    constexpr real getDeterminant() const {
-        return getAxisVector(0) * (getAxisVector(1) % getAxisVector(2));
-    }
-    /// Becomes the inverse of m, which may be this matrix itself. Returns false, and changes nothing, when m is
-    /// singular.
+    constexpr real getDeterminant() const { return getAxisVector(0) * (getAxisVector(1) % getAxisVector(2)); }
+    /// Becomes the inverse of m, which may be this matrix itself. Returns false, and changes nothing, when m
+    /// is singular.
     [[nodiscard]] bool setInverse(const Matrix4 &m);
     [[nodiscard]] bool invert() { return setInverse(*this); }
     /// The inverse; refuses a singular matrix.
@@ -294,8 +294,8 @@ public:
         return Matrix3(getAxisVector(0), getAxisVector(1), getAxisVector(2));
     }
 
-    /// Sixteen floats, column by column, with the implied row: what OpenGL, and Vulkan and Direct3D shaders that
-    /// multiply columns, take.
+    /// Sixteen floats, column by column, with the implied row: what OpenGL, and Vulkan and Direct3D shaders
+    /// that multiply columns, take.
     void fillGLArray(float array[16]) const;
     /// The same in double precision.
     void fillGLArray(real array[16]) const;
@@ -303,5 +303,14 @@ public:
     bool operator==(const Matrix4 &m) const;
     bool operator!=(const Matrix4 &m) const { return !(*this == m); }
 };
+
+/// The principal values and axes of a symmetric matrix: m = R·diag(values)·Rᵀ, where R is the rotation matrix
+/// of `axes` (Jacobi 1846). Of a diagonal matrix the axes are the identity and the values exact.
+void findPrincipalAxes(const Matrix3 &m, Vector3 &values, Quaternion &axes);
+
+/// Checks of arguments, see check.h; their text quotes every number.
+void requireVector(bool kept, const char *function, const char *rule, const Vector3 &value);
+void requireMatrix(bool kept, const char *function, const char *rule, const Matrix3 &value);
+void requireQuaternion(bool kept, const char *function, const char *rule, const Quaternion &value);
 
 }  // namespace cyclone

@@ -2,24 +2,25 @@
 
 /// The free rotation of rigid bodies: what happens to an orientation while no torque acts.
 ///
-/// Euler's equations are advanced by a splitting that keeps angular momentum exactly and is of fourth order in
-/// the step. Let the axes be principal, numbered cyclically so that axis 0 has the middle inertia, and let i0, i1,
-/// i2 be the inverse moments, l the angular momentum in these axes. With α = i1 − i0 and β = i2 − i0 the kinetic
-/// energy is
+/// Euler's equations are advanced by a splitting that keeps angular momentum exactly and is of fourth order
+/// in the step. Let the axes be principal, numbered cyclically so that axis 0 has the middle inertia, and let
+/// i0, i1, i2 be the inverse moments, l the angular momentum in these axes. With α = i1 − i0 and β = i2 − i0
+/// the kinetic energy is
 ///
 ///     i0·|l|²/2  +  α·l1²/2  +  β·l2²/2 .
 ///
-/// The first part alone turns the body about l, and commutes with the others; the second and third alone turn it
-/// about axis 1 and axis 2. So a step is that rotation, and Strang's product of half a turn about axis 1, one
-/// about axis 2 and half a turn about axis 1 (McLachlan & Quispel 2002). Energy and |l| being constant, the h²
-/// error of the product is itself a motion about the same axes, and is cancelled by slightly changed angles: no
-/// further evaluation, no sine or cosine. Spheres and symmetric tops come out exact.
+/// The first part alone turns the body about l, and commutes with the others; the second and third alone turn
+/// it about axis 1 and axis 2. So a step is that rotation, and Strang's product of half a turn about axis 1,
+/// one about axis 2 and half a turn about axis 1 (McLachlan & Quispel 2002). Energy and |l| being constant,
+/// the h² error of the product is itself a motion about the same axes, and is cancelled by slightly changed
+/// angles: no further evaluation, no sine or cosine. Spheres and symmetric tops come out exact.
 #include <cyclone/core.h>
 
 namespace cyclone {
 
-/// Some bodies side by side, one number of each in every array, so that compilers vectorise the plain loops over
-/// them. Every lane is computed alone: the same operations in the same order, whatever the other lanes hold.
+/// Some bodies side by side, one number of each in every array, so that compilers vectorise the plain loops
+/// over them. Every lane is computed alone: the same operations in the same order, whatever the other lanes
+/// hold.
 struct FreeRotation {
     static constexpr int LANES = 8;
 
@@ -37,8 +38,8 @@ struct FreeRotation {
     Lanes matrix[9] = {};    ///< of the new orientation, row by row
     Lanes rotation[3] = {};  ///< angular velocity that belongs to finalMomentum, world, rad/s
 
-    /// Advances the first `lanes` bodies (1 … LANES) by `duration` seconds. A body that turns by more than about
-    /// 2 rad is advanced in up to 64 shorter steps; one that turns by more than 64 rad turns by 64.
+    /// Advances the first `lanes` bodies (1 … LANES) by `duration` seconds. A body that turns by more than
+    /// about 2 rad is advanced in up to 64 shorter steps; one that turns by more than 64 rad turns by 64.
     void advance(int lanes, real duration);
 };
 

@@ -1,0 +1,76 @@
+#pragma once
+
+/// @file
+/// Aerodynamic surfaces, after the chapter's model: a tensor that maps velocity through the air to force.
+///
+/// Air flows past a body at rest with `windspeed`, the meteorologist's: it points to where the wind comes
+/// FROM, with its speed as length. A body's velocity through the air is then velocity + windspeed. A water
+/// current past a keel is the same. Tensors are in body axes; drag is a negative diagonal, lift an entry off
+/// the diagonal.
+#include <cyclone/force.h>
+
+namespace cyclone {
+
+/// A surface: force = R·A·Rᵀ·(velocity + windspeed), at a point of the body. A step is stable while
+/// |A|/mass·duration < 1.
+class Aero : public ForceGenerator {
+public:
+    /// Tensor A in N·s/m and position in m, body coordinates, finite. windspeed in m/s, world coordinates, is
+    /// read at each frame and must live as long as the surface acts; null is still air.
+    Aero(const Matrix3 &tensor, const Vector3 &position, const Vector3 *windspeed);
+
+    /// Whether the surface feels its own motion about the centre of mass too, rotation × (R·position): the
+    /// physically complete form, which damps roll, pitch and yaw. Off by default, as in the chapter.
+    void setRotationalFlow(bool on) { rotationalFlow = on; }
+    bool getRotationalFlow() const { return rotationalFlow; }
+
+    /// The tensor in use now, body coordinates.
+    const Matrix3 &getTensor() const { return tensor; }
+    Vector3 getPosition() const { return position; }
+
+    /// The force on the body as it moves now, N, world coordinates.
+    Vector3 getForce(const RigidBody &body) const;
+
+    void updateForce(RigidBody *body, real duration) override;
+    bool actsOnItsBodyOnly() const override { return true; }
+
+protected:
+    Matrix3 tensor;
+    Vector3 position;
+    const Vector3 *windspeed;
+    bool rotationalFlow = false;
+};
+
+/// A surface with a control, such as a wing with a flap: the tensor is `min` at control −1, `base` at 0,
+/// `max` at +1, and linear in between.
+class AeroControl : public Aero {
+public:
+    AeroControl(const Matrix3 &base, const Matrix3 &min, const Matrix3 &max, const Vector3 &position,
+                const Vector3 *windspeed);
+
+    /// −1 … 1; beyond, the nearer end. Not NaN.
+    void setControl(real value);
+    real getControl() const { return control; }
+
+private:
+    Matrix3 base, min, max;
+    real control = 0;
+};
+
+/// A surface that turns relative to the body, such as a sail or a rudder: force = M·A·Mᵀ·(velocity +
+/// windspeed) with M = R·S. Turning does not move the point where the force acts.
+class AngledAero : public Aero {
+public:
+    /// As Aero; the tensor is in the surface's own axes.
+    AngledAero(const Matrix3 &tensor, const Vector3 &position, const Vector3 *windspeed);
+
+    /// S, from the surface's axes to body axes. Any length but zero; it is made a unit quaternion.
+    void setOrientation(const Quaternion &surfaceToBody);
+    Quaternion getOrientation() const { return orientation; }
+
+private:
+    Matrix3 surfaceTensor;
+    Quaternion orientation;
+};
+
+}  // namespace cyclone

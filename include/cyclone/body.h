@@ -1,0 +1,229 @@
+#pragma once
+
+/// @file
+/// The rigid body: its state, how forces are added to it, and the step that advances it.
+#include <cyclone/core.h>
+
+#include <cstddef>
+#include <cstdint>
+
+namespace cyclone {
+
+/// A rigid body. A plain value that can be copied; its origin is its centre of mass.
+///
+/// By default it has 1 kg and unit inertia, and is at the origin, at rest, awake and undamped. Velocity and
+/// rotation (angular velocity, rad/s) are in world coordinates, SI units throughout. Derived data, such as
+/// the transform, is current after every setter and every step.
+///
+/// A body of inverse mass 0 is immovable: no force, torque, acceleration or damping changes its motion. It
+/// still goes on with the velocity and rotation that it is given, so it can serve as a moving platform.
+class RigidBody {
+public:
+    /// @name Mass and inertia
+    /// @{
+
+    /// kg; positive and finite. An immovable body has mass REAL_MAX.
+    void setMass(real kilograms);
+    real getMass() const { return mass; }
+    /// 1/kg; finite and not negative. 0 makes the body immovable.
+    void setInverseMass(real inverse);
+    real getInverseMass() const { return inverseMass; }
+    bool hasFiniteMass() const { return inverseMass > 0; }
+
+    /// About the centre of mass, in body axes, kg·m²: symmetric, its principal moments positive. The rotation
+    /// is kept.
+    void setInertiaTensor(const Matrix3 &inertiaTensor);
+    /// Its inverse: symmetric, no principal value negative. About an axis whose value is 0, a locked axis,
+    /// torques do nothing.
+    void setInverseInertiaTensor(const Matrix3 &inverseInertiaTensor);
+    /// Refuses when an axis is locked, since the tensor is then infinite.
+    Matrix3 getInertiaTensor() const;
+    Matrix3 getInverseInertiaTensor() const;
+    Matrix3 getInertiaTensorWorld() const;
+    Matrix3 getInverseInertiaTensorWorld() const;
+    /// @}
+
+    /// @name Damping
+    /// The fraction of the velocity, or rotation, that is left after one second: v *= damping^duration. 0 to
+    /// 1; 1, the default, is none.
+    /// @{
+    void setDamping(real linear, real angular);
+    void setLinearDamping(real damping);
+    void setAngularDamping(real damping);
+    real getLinearDamping() const { return linearDamping; }
+    real getAngularDamping() const { return angularDamping; }
+    /// @}
+
+    /// @name Motion
+    /// Whatever is set must be finite. Setting starts the step's memory of forces afresh, see integrate().
+    /// @{
+    void setPosition(const Vector3 &worldPoint);
+    void setPosition(real x, real y, real z) { setPosition(Vector3(x, y, z)); }
+    Vector3 getPosition() const { return transform.getAxisVector(3); }
+
+    /// Body to world. Any length but zero; it is made a unit quaternion. The rotation is kept.
+    void setOrientation(const Quaternion &bodyToWorld);
+    void setOrientation(real r, real i, real j, real k) { setOrientation(Quaternion(r, i, j, k)); }
+    Quaternion getOrientation() const { return orientation; }
+
+    /// m/s. Anything but zero wakes the body.
+    void setVelocity(const Vector3 &metresPerSecond);
+    void setVelocity(real x, real y, real z) { setVelocity(Vector3(x, y, z)); }
+    Vector3 getVelocity() const { return velocity; }
+    /// rad/s. Anything but zero wakes the body.
+    void setRotation(const Vector3 &radiansPerSecond);
+    void setRotation(real x, real y, real z) { setRotation(Vector3(x, y, z)); }
+    Vector3 getRotation() const { return rotation; }
+    /// Impulses: at once, whatever the step.
+    void addVelocity(const Vector3 &change) { setVelocity(velocity + change); }
+    void addRotation(const Vector3 &change) { setRotation(rotation + change); }
+    /// About the centre of mass, world coordinates, kg·m²/s; of an immovable body zero.
+    Vector3 getAngularMomentum() const { return angularMomentum; }
+
+    /// A constant acceleration (m/s²) that acts whatever the mass, such as gravity. None by default.
+    void setAcceleration(const Vector3 &metresPerSecondSquared);
+    void setAcceleration(real x, real y, real z) { setAcceleration(Vector3(x, y, z)); }
+    Vector3 getAcceleration() const { return acceleration; }
+    /// What accelerated the body during its last step: forces and the constant acceleration, at the step's
+    /// start.
+    Vector3 getLastFrameAcceleration() const { return lastFrameAcceleration; }
+    /// @}
+
+    /// @name Between body and world
+    /// @{
+    const Matrix4 &getTransform() const { return transform; }
+    /// For drawing: sixteen floats, column by column.
+    void getGLTransform(float matrix[16]) const { transform.fillGLArray(matrix); }
+    Vector3 getPointInLocalSpace(const Vector3 &point) const { return transform.transformInverse(point); }
+    Vector3 getPointInWorldSpace(const Vector3 &point) const { return transform.transform(point); }
+    Vector3 getDirectionInLocalSpace(const Vector3 &direction) const {
+        return transform.transformInverseDirection(direction);
+    }
+    Vector3 getDirectionInWorldSpace(const Vector3 &direction) const {
+        return transform.transformDirection(direction);
+    }
+    /// Renews what follows from position and orientation. Setters and steps have done so already.
+    void calculateDerivedData();
+    /// @}
+
+    /// @name Forces
+    /// They act for one step: velocity changes by exactly force·duration/mass. They are not checked, see
+    /// integrate(). Any force or torque but zero wakes the body.
+    /// @{
+
+    /// At the centre of mass, world coordinates, N.
+    void addForce(const Vector3 &force) { addLoad(force, Vector3()); }
+    void addForceAtPoint(const Vector3 &force, const Vector3 &worldPoint) {
+        addLoad(force, (worldPoint - getPosition()) % force);
+    }
+    /// The force in world coordinates, the point in body coordinates.
+    void addForceAtBodyPoint(const Vector3 &force, const Vector3 &bodyPoint) {
+        addLoad(force, transform.transformDirection(bodyPoint) % force);
+    }
+    /// World coordinates, N·m.
+    void addTorque(const Vector3 &torque) { addLoad(Vector3(), torque); }
+    /// Takes back what has been added since the last step.
+    void clearAccumulators() {
+        if (hasAdded || isGenerated) dropLoads();
+    }
+    /// @}
+
+    /// @name Sleep
+    /// A sleeping body is not advanced. It wakes when a force, a torque or a velocity is added.
+    /// @{
+
+    /// Sends the body to sleep, at rest, or wakes it.
+    void setAwake(bool wake = true);
+    bool getAwake() const { return awake; }
+    /// Whether the body may fall asleep by itself; off by default. It does so when it has hardly moved for
+    /// about a second and nothing acts on it: no force, torque or acceleration.
+    void setCanSleep(bool may = true);
+    bool getCanSleep() const { return canSleep; }
+    /// Hardly moved: the recency-weighted mean of |velocity|² + |rotation|² (SI) is below this; 0.01 by
+    /// default.
+    void setSleepEpsilon(real epsilon);
+    real getSleepEpsilon() const { return sleepEpsilon; }
+    /// @}
+
+    /// Advances the body by `duration` seconds, finite and not negative, and clears the accumulators.
+    ///
+    /// Constant forces are exact and free rotation is of fourth order. Forces that change smoothly are of
+    /// second order with this one evaluation, because each step mends the last one's end: velocity gains (A −
+    /// A_last)·h_last/2, where A is what force generators caused through a ForceRegistry. What the caller
+    /// adds counts plainly, and setters start the memory A_last afresh.
+    ///
+    /// Returns false if the step would not be finite (a force of NaN or of absurd size): the body then keeps
+    /// its last good state, drops the forces, and sleeps.
+    bool integrate(real duration);
+
+    /// Advances many bodies, to the same bits as one after the other but in about half the time. Returns the
+    /// number of them whose integrate() returned false.
+    static std::size_t integrate(RigidBody *const *bodies, std::size_t count, real duration);
+
+    /// Whether the last step failed and the body has not been woken since.
+    bool hasFaulted() const { return faulted; }
+
+private:
+    friend class ForceRegistry;
+    friend class StepBlock;
+
+    /// A force at the centre of mass and a torque, world coordinates.
+    struct Load {
+        Vector3 force, torque;
+    };
+
+    void addLoad(const Vector3 &force, const Vector3 &torque) {
+        Load &load = inGenerator ? generated : added;
+        load.force += force;
+        load.torque += torque;
+        if (!inGenerator) hasAdded = true;
+        if (!awake) wakeForLoad(force, torque);
+    }
+    void dropLoads();
+    void wakeForLoad(const Vector3 &force, const Vector3 &torque);
+
+    void forgetForces() { lastDuration = 0; }
+    void setPrincipalInertia(const Matrix3 &tensor, bool isInverse, const char *function);
+    void setMomentumFromRotation();
+    bool turnsFreely() const { return inverseMass > 0 && !hasLockedAxis; }
+    Matrix3 getPrincipalAxesInWorld() const;
+
+    void renewDampingFactors(real duration);
+    void fallAsleepIfIdle(const Vector3 &torque, real duration);
+    void keepLastGoodState();
+
+    // What every step reads and writes comes first and lies together.
+    Matrix4 transform;
+    Vector3 velocity;
+    Vector3 rotation;
+    Load generated;  ///< what generators have added since the last step
+    Vector3 acceleration;
+    real inverseMass = 1;
+    bool awake = true;
+    bool canSleep = false;
+    bool faulted = false;
+    bool inGenerator = false;       ///< a ForceRegistry is calling one of this body's generators
+    bool isGenerated = false;       ///< a ForceRegistry has called one since the last step
+    bool hasAdded = false;          ///< `added` is not zero
+    bool hasLockedAxis = false;     ///< some inverse principal inertia is zero
+    std::uint8_t middleAxis = 0;    ///< the principal axis of the middle inertia
+    bool hasPrincipalAxes = false;  ///< `principalAxes` is not the identity
+    Quaternion orientation;
+    Vector3 angularMomentum;
+    Load lastGenerated;     ///< the generators' share in the last step
+    real lastDuration = 0;  ///< of the step that lastGenerated belongs to; 0: nothing to remember
+    Vector3 inverseInertia = Vector3(1, 1, 1);  ///< principal
+    real linearFactor = 1, angularFactor = 1;   ///< damping over half a step of factorDuration
+    real factorDuration = 0;
+    Vector3 lastFrameAcceleration;
+
+    // What steps rarely need.
+    real mass = 1;
+    Load added;                          ///< what the caller has added since the last step
+    Vector3 inertia = Vector3(1, 1, 1);  ///< principal; infinite about a locked axis
+    Quaternion principalAxes;            ///< from principal axes to body axes
+    real linearDamping = 1, angularDamping = 1;
+    real motion = 0, sleepEpsilon = 0.01;
+};
+
+}  // namespace cyclone

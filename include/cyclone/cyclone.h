@@ -1,0 +1,9 @@
+#pragma once
+
+/// @file
+/// Everything.
+#include <cyclone/body.h>
+#include <cyclone/core.h>
+#include <cyclone/fgen.h>
+#include <cyclone/precision.h>
+#include <cyclone/world.h>

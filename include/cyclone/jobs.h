@@ -1,0 +1,53 @@
+#pragma once
+
+/// @file
+/// Work shared out over threads: the interface that a World needs, and workers for games without a job
+/// system.
+#include <cstddef>
+#include <memory>
+
+namespace cyclone {
+
+/// A parallel for-loop. A game engine with threads of its own derives from it and hands it to
+/// World::setJobSystem.
+class JobSystem {
+public:
+    virtual ~JobSystem() = default;
+
+    /// One part of the loop's work; called from any thread, for different indices at once.
+    class Job {
+    public:
+        virtual ~Job() = default;
+        virtual void run(std::size_t index) = 0;
+    };
+
+    /// Runs the job once for each index below count, and returns when all have been run. If one throws, the
+    /// others may be left out, and the exception reaches the caller.
+    virtual void parallelFor(std::size_t count, Job &job) = 0;
+    /// How many threads may run at once, to choose the size of the parts.
+    virtual std::size_t getThreadCount() const = 0;
+
+protected:
+    JobSystem() = default;
+    JobSystem(const JobSystem &) = default;
+    JobSystem &operator=(const JobSystem &) = default;
+};
+
+/// Threads that wait between frames. One caller at a time.
+class Workers : public JobSystem {
+public:
+    /// With the calling thread, `threadCount` threads share the work; 1 or more.
+    explicit Workers(std::size_t threadCount);
+    ~Workers() override;
+    Workers(const Workers &) = delete;
+    Workers &operator=(const Workers &) = delete;
+
+    void parallelFor(std::size_t count, Job &job) override;
+    std::size_t getThreadCount() const override;
+
+private:
+    class Crew;
+    std::unique_ptr<Crew> crew;
+};
+
+}  // namespace cyclone

@@ -1,0 +1,51 @@
+#pragma once
+
+/// @file
+/// What drives vehicles: a thruster and a propeller.
+#include <cyclone/force.h>
+
+namespace cyclone {
+
+/// A push of throttle·maxForce along a direction that is fixed to the body: a rocket, a jet, an outboard
+/// motor.
+class Thruster : public ForceGenerator {
+public:
+    /// Direction of the push (any length but zero) and where it acts, m, in body coordinates; maxForce in N,
+    /// finite and not negative. The throttle is closed at first.
+    Thruster(const Vector3 &direction, const Vector3 &position, real maxForce);
+
+    /// 0 … 1; beyond, the nearer end. Not NaN.
+    void setThrottle(real value);
+    real getThrottle() const { return throttle; }
+    /// Turns the push, as a gimbal or an outboard motor does.
+    void setDirection(const Vector3 &bodyDirection);
+    Vector3 getDirection() const { return direction; }
+
+    /// The force on the body as it moves now, N, world coordinates.
+    virtual Vector3 getForce(const RigidBody &body) const;
+
+    void updateForce(RigidBody *body, real duration) override;
+    bool actsOnItsBodyOnly() const override { return true; }
+
+protected:
+    Vector3 direction, position;
+    real maxForce;
+    real throttle = 0;
+};
+
+/// A thruster that bites less the faster it already moves through the air: throttle·maxForce·(1 −
+/// u/pitchSpeed), where u is the speed through the air along the push. Beyond pitchSpeed it brakes, as a
+/// propeller at idle does; backwards it pushes no more than standing still.
+class Propeller : public Thruster {
+public:
+    /// As Thruster. pitchSpeed in m/s, positive: pitch times revolutions. windspeed as for Aero.
+    Propeller(const Vector3 &direction, const Vector3 &position, real maxForce, real pitchSpeed,
+              const Vector3 *windspeed);
+    Vector3 getForce(const RigidBody &body) const override;
+
+private:
+    real pitchSpeed;
+    const Vector3 *windspeed;
+};
+
+}  // namespace cyclone

@@ -1,0 +1,260 @@
+#include <cyclone/force.h>
+#include <cyclone/jobs.h>
+
+#include <algorithm>
+#include <functional>
+
+namespace cyclone {
+
+// ---- The registry
+// -----------------------------------------------------------------------------------------------
+
+void ForceRegistry::add(RigidBody *body, ForceGenerator *generator) {
+    requireNonNull(body, "ForceRegistry::add", "the body must not be null");
+    requireNonNull(generator, "ForceRegistry::add", "the generator must not be null");
+    require(!sharing, "ForceRegistry::add",
+            "a generator that acts on its body only may not add registrations");
+    registrations.push_back({body, generator, generator->actsOnItsBodyOnly()});
+    schedule.reserve(registrations.capacity());
+    scheduleIsCurrent = false;
+    body->forgetForces();
+}
+
+void ForceRegistry::remove(RigidBody *body, ForceGenerator *generator) {
+    requireNonNull(body, "ForceRegistry::remove", "the body must not be null");
+    for (std::size_t n = 0; n < registrations.size(); ++n)
+        if (registrations[n].body == body && registrations[n].generator == generator) return erase(n);
+}
+
+void ForceRegistry::remove(RigidBody *body) {
+    requireNonNull(body, "ForceRegistry::remove", "the body must not be null");
+    for (std::size_t n = registrations.size(); n-- > 0;)
+        if (registrations[n].body == body) erase(n);
+}
+
+void ForceRegistry::erase(std::size_t index) {
+    require(!sharing, "ForceRegistry::remove",
+            "a generator that acts on its body only may not remove registrations");
+    registrations[index].body->forgetForces();
+    if (updating) {
+        registrations[index].body = nullptr;
+        ++removedCount;
+    } else {
+        registrations.erase(registrations.begin() + static_cast<std::ptrdiff_t>(index));
+        scheduleIsCurrent = false;
+    }
+}
+
+void ForceRegistry::clear() {
+    require(!updating, "ForceRegistry::clear", "a generator may not clear the registry");
+    registrations.clear();
+    scheduleIsCurrent = false;
+}
+
+/// Keeps the registrations in place while generators are called, and sweeps out the removed ones at the end.
+class ForceRegistry::Update {
+public:
+    Update(ForceRegistry &r, real duration) : registry(r) {
+        require(!registry.updating, "ForceRegistry::updateForces", "a generator may not update the forces");
+        require(duration >= 0 && duration <= REAL_MAX, "ForceRegistry::updateForces",
+                "the duration must be finite and not negative", {duration});
+        registry.updating = true;
+    }
+    ~Update() {
+        registry.updating = registry.sharing = false;
+        if (registry.removedCount == 0) return;
+        auto &all = registry.registrations;
+        all.erase(
+            std::remove_if(all.begin(), all.end(), [](const Registration &r) { return r.body == nullptr; }),
+            all.end());
+        registry.removedCount = 0;
+        registry.scheduleIsCurrent = false;
+    }
+    Update(const Update &) = delete;
+    Update &operator=(const Update &) = delete;
+
+private:
+    ForceRegistry &registry;
+};
+
+void ForceRegistry::updateForces(real duration) {
+    const Update update(*this, duration);
+    const std::size_t count = registrations.size();
+    for (std::size_t n = 0; n < count; ++n) callGenerator(n, duration);
+}
+
+void ForceRegistry::callGenerator(std::size_t index, real duration) {
+    const Registration called = registrations[index];
+    if (called.body == nullptr) return;
+
+    /// Tells the body whose forces it is being given. The generator may end its own registration, and the
+    /// body with it.
+    struct Marker {
+        const ForceRegistry &registry;
+        std::size_t index;
+        RigidBody *body;
+        ~Marker() {
+            if (registry.registrations[index].body == body) body->inGenerator = false;
+        }
+    } const marker{*this, index, called.body};
+    called.body->inGenerator = called.body->isGenerated = true;
+    called.generator->updateForce(called.body, duration);
+}
+
+/// A part of a run, on one thread; parts meet between two bodies.
+class ForceRegistry::Share : public JobSystem::Job {
+public:
+    static constexpr std::size_t SIZE = 256;
+
+    Share(ForceRegistry &r, std::size_t begin, std::size_t end, real h)
+        : registry(r), runBegin(begin), runEnd(end), duration(h) {}
+
+    void run(std::size_t part) override {
+        const std::size_t end = boundary(part + 1);
+        for (std::size_t n = boundary(part); n < end; ++n)
+            registry.callGenerator(registry.schedule[n].index, duration);
+    }
+
+private:
+    std::size_t boundary(std::size_t part) const {
+        std::size_t n = std::min(runBegin + part * SIZE, runEnd);
+        while (n > runBegin && n < runEnd && registry.schedule[n].body == registry.schedule[n - 1].body) ++n;
+        return n;
+    }
+
+    ForceRegistry &registry;
+    std::size_t runBegin, runEnd;
+    real duration;
+};
+
+void ForceRegistry::updateForces(real duration, JobSystem &jobs) {
+    const Update update(*this, duration);
+    if (!scheduleIsCurrent) renewSchedule();
+    const std::size_t count = schedule.size();
+    for (std::size_t begin = 0; begin < count;) {
+        const std::size_t end = endOfRun(begin);
+        if (registrations[begin].actsOnItsBodyOnly) {
+            Share share(*this, begin, end, duration);
+            sharing = true;
+            jobs.parallelFor((end - begin + Share::SIZE - 1) / Share::SIZE, share);
+            sharing = false;
+        } else {
+            for (std::size_t n = begin; n < end; ++n) callGenerator(n, duration);
+        }
+        begin = end;
+    }
+}
+
+std::size_t ForceRegistry::endOfRun(std::size_t begin) const {
+    std::size_t end = begin + 1;
+    while (end < schedule.size() &&
+           registrations[end].actsOnItsBodyOnly == registrations[begin].actsOnItsBodyOnly)
+        ++end;
+    return end;
+}
+
+void ForceRegistry::renewSchedule() {
+    schedule.clear();
+    for (std::size_t n = 0; n < registrations.size(); ++n) schedule.push_back({registrations[n].body, n});
+    for (std::size_t begin = 0; begin < schedule.size();) {
+        const std::size_t end = endOfRun(begin);
+        const auto first = schedule.begin();
+        if (registrations[begin].actsOnItsBodyOnly)
+            std::sort(first + static_cast<std::ptrdiff_t>(begin), first + static_cast<std::ptrdiff_t>(end),
+                      [](const Turn &a, const Turn &b) {
+                          if (a.body != b.body) return std::less<const RigidBody *>()(a.body, b.body);
+                          return a.index < b.index;
+                      });
+        begin = end;
+    }
+    scheduleIsCurrent = true;
+}
+
+// ---- The simple forces
+// ------------------------------------------------------------------------------------------
+
+Gravity::Gravity(const Vector3 &a) : acceleration(a) {
+    requireVector(a.isFinite(), "Gravity::Gravity", "the acceleration must be finite", a);
+}
+
+void Gravity::updateForce(RigidBody *body, real) {
+    if (body->hasFiniteMass()) body->addForce(acceleration * body->getMass());
+}
+
+namespace {
+
+void requireNotNegative(real value, const char *function, const char *rule) {
+    require(value >= 0 && value <= REAL_MAX, function, rule, {value});
+}
+
+}  // namespace
+
+Drag::Drag(real linear, real quadratic) : k1(linear), k2(quadratic) {
+    requireNotNegative(k1, "Drag::Drag", "k1 must be finite and not negative");
+    requireNotNegative(k2, "Drag::Drag", "k2 must be finite and not negative");
+}
+
+void Drag::updateForce(RigidBody *body, real) {
+    const Vector3 velocity = body->getVelocity();
+    body->addForce(velocity * -(k1 + k2 * velocity.magnitude()));
+}
+
+namespace {
+
+void requireSpring(const Vector3 &connectionPoint, const Vector3 &otherEnd, real springConstant,
+                   real restLength, const char *function) {
+    requireVector(connectionPoint.isFinite(), function, "the connection point must be finite",
+                  connectionPoint);
+    requireVector(otherEnd.isFinite(), function, "the other end must be finite", otherEnd);
+    requireNotNegative(springConstant, function, "the spring constant must be finite and not negative");
+    requireNotNegative(restLength, function, "the rest length must be finite and not negative");
+}
+
+/// The force at one end of a spring: −k(|d| − L)·d/|d|, with d from the other end to this one.
+Vector3 springForce(const Vector3 &d, real springConstant, real restLength) {
+    const real length = d.magnitude();
+    if (length == 0) return Vector3();
+    return d * (-springConstant * (length - restLength) / length);
+}
+
+}  // namespace
+
+Spring::Spring(const Vector3 &point, const RigidBody *otherBody, const Vector3 &otherPoint, real constant,
+               real length)
+    : connectionPoint(point),
+      other(requireNonNull(otherBody, "Spring::Spring", "the other body must not be null")),
+      otherConnectionPoint(otherPoint),
+      springConstant(constant),
+      restLength(length) {
+    requireSpring(point, otherPoint, constant, length, "Spring::Spring");
+}
+
+Vector3 Spring::getSpan(const RigidBody &body) const {
+    return body.getPointInWorldSpace(connectionPoint) - other->getPointInWorldSpace(otherConnectionPoint);
+}
+
+void Spring::updateForce(RigidBody *body, real) {
+    body->addForceAtBodyPoint(springForce(getSpan(*body), springConstant, restLength), connectionPoint);
+}
+
+void Bungee::updateForce(RigidBody *body, real duration) {
+    if (getSpan(*body).magnitude() > restLength) Spring::updateForce(body, duration);
+}
+
+AnchoredSpring::AnchoredSpring(const Vector3 &point, const Vector3 &worldAnchor, real constant, real length)
+    : connectionPoint(point), anchor(worldAnchor), springConstant(constant), restLength(length) {
+    requireSpring(point, worldAnchor, constant, length, "AnchoredSpring::AnchoredSpring");
+}
+
+void AnchoredSpring::setAnchor(const Vector3 &worldPoint) {
+    requireVector(worldPoint.isFinite(), "AnchoredSpring::setAnchor", "the anchor must be finite",
+                  worldPoint);
+    anchor = worldPoint;
+}
+
+void AnchoredSpring::updateForce(RigidBody *body, real) {
+    const Vector3 span = body->getPointInWorldSpace(connectionPoint) - anchor;
+    body->addForceAtBodyPoint(springForce(span, springConstant, restLength), connectionPoint);
+}
+
+}  // namespace cyclone

@@ -1,0 +1,112 @@
+#include <cyclone/check.h>
+#include <cyclone/jobs.h>
+
+#include <atomic>
+#include <condition_variable>
+#include <exception>
+#include <mutex>
+#include <thread>
+#include <utility>
+#include <vector>
+
+namespace cyclone {
+
+/// The threads and what they share. A new task is announced by counting up; every thread looks at every task.
+class Workers::Crew {
+public:
+    explicit Crew(std::size_t helpers) {
+        for (std::size_t n = 0; n < helpers; ++n) threads.emplace_back([this] { waitAndWork(); });
+    }
+    ~Crew() {
+        {
+            const std::lock_guard<std::mutex> lock(mutex);
+            ending = true;
+        }
+        announcement.notify_all();
+        for (std::thread &thread : threads) thread.join();
+    }
+    Crew(const Crew &) = delete;
+    Crew &operator=(const Crew &) = delete;
+
+    std::size_t size() const { return threads.size() + 1; }
+
+    void work(std::size_t partCount, Job &work) {
+        {
+            const std::lock_guard<std::mutex> lock(mutex);
+            job = &work;
+            count = partCount;
+            next = 0;
+            busy = threads.size();
+            ++task;
+        }
+        announcement.notify_all();
+        takeParts();
+        std::unique_lock<std::mutex> lock(mutex);
+        completion.wait(lock, [this] { return busy == 0; });
+        rethrowFailure();
+    }
+
+private:
+    void waitAndWork() {
+        std::unique_lock<std::mutex> lock(mutex);
+        for (std::size_t seen = 0;;) {
+            announcement.wait(lock, [&] { return ending || task != seen; });
+            if (ending) return;
+            seen = task;
+            lock.unlock();
+            takeParts();
+            lock.lock();
+            if (--busy == 0) completion.notify_one();
+        }
+    }
+
+    void takeParts() {
+#ifdef __cpp_exceptions
+        try {
+            runParts();
+        } catch (...) {
+            next = count;
+            const std::lock_guard<std::mutex> lock(mutex);
+            if (!failure) failure = std::current_exception();
+        }
+#else
+        runParts();
+#endif
+    }
+
+    void runParts() {
+        for (std::size_t part; (part = next.fetch_add(1)) < count;) job->run(part);
+    }
+
+    void rethrowFailure() {
+#ifdef __cpp_exceptions
+        if (failure) std::rethrow_exception(std::exchange(failure, nullptr));
+#endif
+    }
+
+    std::mutex mutex;
+    std::condition_variable announcement, completion;
+    Job *job = nullptr;
+    std::size_t count = 0;
+    std::atomic<std::size_t> next{0};
+    std::size_t task = 0, busy = 0;
+    bool ending = false;
+#ifdef __cpp_exceptions
+    std::exception_ptr failure;
+#endif
+    std::vector<std::thread> threads;
+};
+
+Workers::Workers(std::size_t threadCount) {
+    require(threadCount >= 1, "Workers::Workers", "there must be at least one thread",
+            {static_cast<real>(threadCount)});
+    crew = std::make_unique<Crew>(threadCount - 1);
+}
+
+Workers::~Workers() = default;
+
+void Workers::parallelFor(std::size_t count, Job &job) { crew->work(count, job); }
+
+std::size_t Workers::getThreadCount() const { return crew->size(); }
+
+}  // namespace cyclone

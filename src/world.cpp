@@ -1,0 +1,153 @@
+#include <cyclone/world.h>
+
+#include <algorithm>
+#include <atomic>
+
+namespace cyclone {
+
+// ---- Bodies
+// -----------------------------------------------------------------------------------------------------
+
+/// Slabs of bodies; a body's place is used again after its end.
+class World::Bodies {
+public:
+    RigidBody *create() {
+        if (freePlaces.empty()) addSlab();
+        RigidBody *body = freePlaces.back();
+        freePlaces.pop_back();
+        *body = RigidBody();
+        return body;
+    }
+    bool owns(const RigidBody *body) const {
+        return std::any_of(slabs.begin(), slabs.end(), [body](const std::unique_ptr<RigidBody[]> &slab) {
+            const std::less<const RigidBody *> before;
+            return !before(body, slab.get()) && before(body, slab.get() + SLAB_SIZE);
+        });
+    }
+    void destroy(RigidBody *body) { freePlaces.push_back(body); }
+
+private:
+    static constexpr std::size_t SLAB_SIZE = 256;
+
+    /// Its places are taken from the first to the last.
+    void addSlab() {
+        slabs.push_back(std::make_unique<RigidBody[]>(SLAB_SIZE));
+        freePlaces.reserve(slabs.size() * SLAB_SIZE);
+        for (std::size_t n = SLAB_SIZE; n-- > 0;) freePlaces.push_back(&slabs.back()[n]);
+    }
+
+    std::vector<std::unique_ptr<RigidBody[]>> slabs;
+    std::vector<RigidBody *> freePlaces;
+};
+
+World::World() : ownedBodies(std::make_unique<Bodies>()) {}
+World::~World() = default;
+
+void World::addBody(RigidBody *body) {
+    requireNonNull(body, "World::addBody", "the body must not be null");
+    require(members.insert(body).second, "World::addBody", "the body must not be in the world already");
+    bodies.push_back(body);
+    faultedBodies.reserve(bodies.capacity());
+}
+
+RigidBody *World::createBody() {
+    RigidBody *body = ownedBodies->create();
+    addBody(body);
+    return body;
+}
+
+bool World::removeBody(RigidBody *body) {
+    requireNonNull(body, "World::removeBody", "the body must not be null");
+    require(!ownedBodies->owns(body), "World::removeBody",
+            "a body that the world created is ended by destroyBody");
+    if (members.count(body) == 0) return false;
+    takeOut(body);
+    return true;
+}
+
+void World::destroyBody(RigidBody *body) {
+    requireNonNull(body, "World::destroyBody", "the body must not be null");
+    require(members.count(body) == 1 && ownedBodies->owns(body), "World::destroyBody",
+            "the body must have been created by this world");
+    takeOut(body);
+    ownedBodies->destroy(body);
+}
+
+void World::takeOut(RigidBody *body) {
+    members.erase(body);
+    registry.remove(body);
+    bodies.erase(std::find(bodies.begin(), bodies.end(), body));
+    faultedBodies.erase(std::remove(faultedBodies.begin(), faultedBodies.end(), body), faultedBodies.end());
+}
+
+// ---- A frame
+// ----------------------------------------------------------------------------------------------------
+
+void World::startFrame() {
+    for (RigidBody *body : bodies) body->clearAccumulators();
+}
+
+void World::runPhysics(real duration) {
+    if (jobs != nullptr)
+        registry.updateForces(duration, *jobs);
+    else
+        registry.updateForces(duration);
+    integrate(duration);
+}
+
+/// Advances a part of the bodies, on one thread.
+class World::Advance : public JobSystem::Job {
+public:
+    static constexpr std::size_t SIZE = 256;
+
+    Advance(const RigidBodies &all, real h) : bodies(all), duration(h) {}
+
+    void run(std::size_t part) override {
+        const std::size_t begin = part * SIZE;
+        const std::size_t count = std::min(SIZE, bodies.size() - begin);
+        if (RigidBody::integrate(bodies.data() + begin, count, duration) > 0) anyFault = true;
+    }
+    bool hasAnyFault() const { return anyFault; }
+
+private:
+    const RigidBodies &bodies;
+    real duration;
+    std::atomic<bool> anyFault{false};
+};
+
+void World::integrate(real duration) {
+    require(duration >= 0 && duration <= REAL_MAX, "World::integrate",
+            "the duration must be finite and not negative", {duration});
+    Advance advance(bodies, duration);
+    const std::size_t parts = (bodies.size() + Advance::SIZE - 1) / Advance::SIZE;
+    if (jobs != nullptr)
+        jobs->parallelFor(parts, advance);
+    else
+        for (std::size_t part = 0; part < parts; ++part) advance.run(part);
+    listFaultedBodies(advance.hasAnyFault());
+}
+
+void World::listFaultedBodies(bool anyNew) {
+    const auto isSound = [](const RigidBody *body) { return !body->hasFaulted(); };
+    if (anyNew) faultedBodies = bodies;
+    faultedBodies.erase(std::remove_if(faultedBodies.begin(), faultedBodies.end(), isSound),
+                        faultedBodies.end());
+}
+
+// ---- Threads
+// ----------------------------------------------------------------------------------------------------
+
+void World::setWorkers(std::size_t threadCount) {
+    jobs = nullptr;
+    workers.reset();
+    if (threadCount < 2) return;
+    workers = std::make_unique<Workers>(threadCount);
+    jobs = workers.get();
+}
+
+void World::setJobSystem(JobSystem *hostJobs) {
+    workers.reset();
+    jobs = hostJobs;
+}
+
+}  // namespace cyclone
