@@ -1,0 +1,152 @@
+'use strict';
+// Paints the same scene on a plain canvas, far things first, where there is no WebGL 2.
+
+class FlatPainter {
+    constructor(canvas, run) {
+        Object.assign(this, { pen: canvas.getContext('2d'), run, trail: trailOf(run).path });
+        this.normals = run.parts.map(part => part.faces.map(face => Vec.normal(face.corners)));
+    }
+
+    paint({ view, moment, look, arrows, width, height }) {
+        const camera = Mat.look(view.eye, view.target), near = 0.02 * Vec.size(Vec.sub(view.eye, view.target));
+        Object.assign(this, { width, height, look, near, time: moment.time });
+        this.matrix = Mat.multiply(Mat.perspective(view.fov, width / height, near, 40000), camera);
+        this.paintSky(view, camera);
+        this.paintGrid(view, moment);
+        this.paintTrail(moment.time);
+        this.paintShadow(moment);
+        this.paintParts(moment, view.eye);
+        for (const arrow of arrows) this.paintArrow(arrow);
+    }
+
+    /// The image of a polygon or line, cut off in front of the eye: pixels, or an empty list.
+    image(points, closed) {
+        const clipped = [], all = points.map(p => Mat.project(this.matrix, p));
+        all.forEach((b, i) => {
+            const a = all[(i || all.length) - 1];
+            if ((closed || i > 0) && (a[3] < this.near) !== (b[3] < this.near)) {
+                const s = (this.near - a[3]) / (b[3] - a[3]);
+                clipped.push(a.map((value, axis) => mix(value, b[axis], s)));
+            }
+            if (b[3] >= this.near) clipped.push(b);
+        });
+        return clipped.map(([x, y, , w]) => [(x / w + 1) / 2 * this.width, (1 - y / w) / 2 * this.height]);
+    }
+
+    trace(points, closed) {
+        const { pen } = this;
+        pen.beginPath();
+        this.image(points, closed).forEach(([x, y], i) => (i ? pen.lineTo(x, y) : pen.moveTo(x, y)));
+        if (closed) pen.closePath();
+    }
+
+    paintSky(view, camera) {
+        const { pen, width, height, look, run } = this, tall = Math.tan(view.fov / 2);
+        const pitch = Math.asin(clamp(-camera[6], -1, 1));
+        const horizon = height / 2 * (1 + Math.tan(clamp(pitch, -1.5, 1.5)) / tall);
+        const fill = (from, to, first, second) => {
+            const gradient = pen.createLinearGradient(0, from, 0, to);
+            gradient.addColorStop(0, first);
+            gradient.addColorStop(1, second);
+            pen.fillStyle = gradient;
+        };
+        fill(horizon - height, horizon, look.zenith, look.horizon);
+        pen.fillRect(0, 0, width, height);
+        fill(horizon, horizon + 0.25 * height, look.horizon, run.sea ? look.deep : look.ground);
+        pen.fillRect(0, horizon, width, Math.max(0, height - horizon));
+    }
+
+    paintGrid(view) {
+        const { pen, look, run } = this, { cell } = gridAt(view, this.height), reach = 24;
+        const at = [0, 2].map(axis => Math.round(view.target[axis] / cell) * cell);
+        const point = (x, z) => [x, run.surface(x, z, this.time), z];
+        pen.strokeStyle = run.sea ? look.foam : look.line;
+        pen.lineWidth = 1;
+        for (let i = -reach; i <= reach; ++i) {
+            pen.globalAlpha = 0.4 * (1 - Math.abs(i) / (reach + 1));
+            const line = Array.from({ length: 4 * reach + 1 }, (_, n) => (n / 2 - reach) * cell);
+            this.trace(line.map(d => point(at[0] + i * cell, at[1] + d)));
+            pen.stroke();
+            this.trace(line.map(d => point(at[0] + d, at[1] + i * cell)));
+            pen.stroke();
+        }
+        pen.globalAlpha = 1;
+    }
+
+    paintTrail(now) {
+        const { pen, look, run } = this;
+        pen.strokeStyle = look.trail;
+        pen.lineWidth = 2;
+        for (const [a, b, , to] of this.trail) {
+            pen.globalAlpha = to <= now ? 0.8 : 0.16;
+            this.trace(run.sea ? [a, b].map(p => [p[0], run.surface(p[0], p[2], now), p[2]]) : [a, b]);
+            pen.stroke();
+        }
+        pen.globalAlpha = 1;
+    }
+
+    paintShadow(moment) {
+        const { pen, look, run } = this;
+        pen.fillStyle = look.shadow;
+        pen.beginPath();
+        run.parts.forEach((part, index) => {
+            if (index > 0 && !part.onBody) return;
+            for (const face of part.faces) {
+                const flat = this.placed(moment.poses[index], face.corners).map(p => [p[0], run.surface(p[0], p[2], this.time), p[2]]);
+                if (Vec.normal(flat)[1] < 0) flat.reverse();
+                this.image(flat, true).forEach(([x, y], i) => (i ? pen.lineTo(x, y) : pen.moveTo(x, y)));
+                pen.closePath();
+            }
+        });
+        pen.globalAlpha = 0.3;
+        pen.fill();
+        pen.globalAlpha = 1;
+    }
+
+    placed(pose, corners) {
+        return corners.map(corner => Vec.add(pose.position, Quat.rotate(pose.orientation, corner)));
+    }
+
+    paintParts(moment, eye) {
+        const { pen, look, run } = this, faces = [];
+        run.parts.forEach((part, index) => part.faces.forEach((face, n) => {
+            const corners = this.placed(moment.poses[index], face.corners);
+            const middle = Vec.scale(corners.reduce(Vec.add), 1 / corners.length), toEye = Vec.sub(eye, middle);
+            let normal = Quat.rotate(moment.poses[index].orientation, this.normals[index][n]);
+            if (Vec.dot(normal, toEye) < 0) {
+                if (!part.twoSided) return;
+                normal = Vec.scale(normal, -1);
+            }
+            const light = look.ambient + 0.1 * normal[1] + look.sunlight * Math.max(0, Vec.dot(normal, sun));
+            faces.push({ corners, distance: Vec.size(toEye), colour: rgb(face.colour).map(level => Math.min(255, 255 * level * light)) });
+        }));
+        faces.sort((a, b) => b.distance - a.distance);
+        pen.lineJoin = 'round';
+        pen.lineWidth = 0.7;
+        for (const { corners, colour } of faces) {
+            pen.fillStyle = pen.strokeStyle = `rgb(${colour.map(Math.round)})`;
+            this.trace(corners, true);
+            pen.fill();
+            pen.stroke();
+        }
+    }
+
+    paintArrow(arrow) {
+        const { pen } = this, ends = this.image([arrow.tail, Vec.add(arrow.tail, arrow.vector)]);
+        if (ends.length < 2) return;
+        const [[ax, ay], [bx, by]] = ends, size = Math.hypot(bx - ax, by - ay);
+        if (size < 2) return;
+        const tip = Math.min(this.height / 50, 0.5 * size), x = (bx - ax) / size, y = (by - ay) / size;
+        pen.strokeStyle = pen.fillStyle = arrow.colour;
+        pen.lineWidth = Math.max(1.5, this.height / 250);
+        pen.beginPath();
+        pen.moveTo(ax, ay);
+        pen.lineTo(bx - x * tip, by - y * tip);
+        pen.stroke();
+        pen.beginPath();
+        pen.moveTo(bx, by);
+        pen.lineTo(bx - x * tip - y * tip * 0.4, by - y * tip + x * tip * 0.4);
+        pen.lineTo(bx - x * tip + y * tip * 0.4, by - y * tip - x * tip * 0.4);
+        pen.fill();
+    }
+}

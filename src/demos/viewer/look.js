@@ -1,0 +1,68 @@
+'use strict';
+// The colours of the scene, by day and by night, and what both painters share.
+
+const looks = {
+    light: {
+        zenith: '#9cc3dd', horizon: '#eef1ec', ground: '#d5dbc6', line: '#8b9a78', deep: '#3f7f96', shallow: '#79b3bd',
+        foam: '#ffffff', trail: '#b3402a', wind: '#33475a', shadow: '#2b3a33', ambient: 0.66, sunlight: 0.42, glitter: 0.35,
+    },
+    dark: {
+        zenith: '#0b131c', horizon: '#2c3d4b', ground: '#1e2723', line: '#61746a', deep: '#0c2735', shallow: '#1d4a5b',
+        foam: '#9fc3cf', trail: '#ff9d7a', wind: '#d5e2ec', shadow: '#04080a', ambient: 0.5, sunlight: 0.4, glitter: 0.25,
+    },
+};
+
+const sun = Vec.unit([0.45, 0.8, 0.35]);
+
+const rgb = hex => [1, 3, 5].map(at => parseInt(hex.slice(at, at + 2), 16) / 255);
+
+/// The grid's cell, a power of ten in metres, that shows well at the target, and how far the next finer one has
+/// faded out: 0 to 1.
+function gridAt(view, height) {
+    const perMetre = height / (2 * Math.tan(view.fov / 2) * Vec.size(Vec.sub(view.eye, view.target)));
+    const decade = Math.log10(40 / perMetre), whole = Math.max(0, Math.ceil(decade));
+    return { cell: 10 ** whole, fine: clamp((whole - decade) * 1.4 - 0.2, 0, 1) };
+}
+
+/// The wind as an arrow above the vehicle, blowing the way the air goes; null in a calm.
+function windArrow(run, moment) {
+    const speed = Vec.size(moment.windspeed);
+    if (speed < 0.02 * run.strongestWind || speed === 0) return null;
+    const vector = Vec.scale(moment.windspeed, -1.1 * run.radius / run.strongestWind);
+    const middle = Vec.add(moment.poses[0].position, [0, run.middle[1] + 1.15 * run.radius, 0]);
+    return { name: 'wind', tail: Vec.mad(middle, vector, -0.5), vector, value: `${speed.toFixed(1)} m/s` };
+}
+
+/// All arrows to be drawn at a moment, each with its value in words where its scale is known.
+function arrowsAt(run, moment, look) {
+    const arrows = moment.arrows.map(a => {
+        const newtons = Vec.size(a.vector) * run.newtonsPerMetre;
+        const value = !run.newtonsPerMetre ? '' : `${newtons < 9.95 ? newtons.toFixed(1) : newtons < 9995 ?
+            newtons.toFixed(0) : (newtons / 1000).toFixed(0) + ' k'}${newtons < 9995 ? ' ' : ''}N`;
+        return { ...a, value };
+    });
+    const wind = windArrow(run, moment);
+    if (wind) arrows.push({ ...wind, colour: look.wind });
+    return arrows;
+}
+
+/// The way flown as pieces of line [a, b, timeA, timeB]; and, above ground, a plumb line every second.
+function trailOf(run) {
+    const p = run.parts[0].position, at = n => [p[0][n], p[1][n], p[2][n]];
+    const path = [], plumbs = [], every = Math.max(1, Math.ceil((run.end - run.start) / 240));
+    let last = 0, dropped = run.start;
+    for (let n = 1; n < run.count; ++n) {
+        if (run.cuts.has(n)) last = n;
+        const long = Vec.size(Vec.sub(at(n), at(last))) > 0.02 * run.radius || n === run.count - 1;
+        if (n > last && long) {
+            path.push([at(last), at(n), run.time[last], run.time[n]]);
+            last = n;
+        }
+        if (!run.sea && run.time[n] - dropped >= every) {
+            const [x, y, z] = at(n);
+            if (y > run.radius) plumbs.push([[x, 0, z], [x, y, z], run.time[n], run.time[n]]);
+            dropped += every;
+        }
+    }
+    return { path, plumbs };
+}

@@ -1,0 +1,191 @@
+'use strict';
+// The programs of the WebGL painter. Colours are mixed as they are seen on the screen.
+
+const shaders = {
+    /// Shared: the sky in a direction, and the haze that takes everything to the horizon.
+    air: `
+        uniform vec3 zenith, horizon, eye, sun;
+        vec3 sky(vec3 way) { return mix(horizon, zenith, pow(clamp(way.y, 0.0, 1.0), 0.55)); }
+        vec3 haze(vec3 colour, vec3 world, float reach) {
+            float d = distance(world, eye) / reach;
+            return mix(colour, horizon, 1.0 - exp(-d * d));
+        }`,
+
+    /// The sea's height at a place; a train too short for the mesh or the picture is left out bit by bit.
+    /// waves: k.x, k.z, amplitude, phase − ω t.
+    waves: count => `
+        #define WAVES ${count}
+        uniform vec4 waves[${Math.max(1, count)}];
+        float sea(vec2 at) {
+            float y = 0.0;
+            for (int i = 0; i < WAVES; ++i) y += waves[i].z * sin(dot(waves[i].xy, at) + waves[i].w);
+            return y;
+        }`,
+
+    sky: {
+        vertex: () => `
+            out vec2 at;
+            void main() {
+                at = vec2(gl_VertexID & 1, gl_VertexID >> 1) * 4.0 - 1.0;
+                gl_Position = vec4(at, 1.0, 1.0);
+            }`,
+        fragment: () => `${shaders.air}
+            uniform vec3 right, up, ahead;
+            in vec2 at;
+            out vec4 colour;
+            void main() {
+                vec3 way = normalize(ahead + at.x * right + at.y * up);
+                float glow = pow(max(dot(way, sun), 0.0), 24.0) * 0.12;
+                colour = vec4(sky(way) + glow, 1.0);
+            }`,
+    },
+
+    /// Ground and sea: one disc under the scene, its height and its normals from the waves.
+    surface: {
+        vertex: run => `${shaders.waves(run.waves.length)}
+            layout(location = 0) in vec2 place;
+            uniform mat4 viewProjection;
+            uniform vec2 centre;
+            out vec3 world;
+            void main() {
+                vec2 at = centre + place;
+                world = vec3(at.x, sea(at) * (1.0 - smoothstep(150.0, 600.0, length(place))), at.y);
+                gl_Position = viewProjection * vec4(world, 1.0);
+            }`,
+        fragment: run => `${shaders.air}${shaders.waves(run.waves.length)}
+            #define SEA ${run.sea ? 1 : 0}
+            uniform vec3 near, far, line, foam, shade;
+            uniform vec2 grid;
+            uniform vec4 shadow;  // middle x, z, half width, softness
+            uniform float glitter, time, size;
+            uniform sampler2D silhouette;
+            in vec3 world;
+            out vec4 colour;
+
+            float lines(vec2 at, float cell, float width) {
+                vec2 g = at / cell, w = fwidth(g);
+                vec2 d = abs(fract(g - 0.5) - 0.5) / w;
+                float visible = 1.0 - smoothstep(0.12, 0.45, max(w.x, w.y));
+                return (1.0 - smoothstep(width - 0.5, width + 0.5, min(d.x, d.y))) * visible;
+            }
+            float shadowAt(vec2 at) {
+                vec2 uv = (at - shadow.xy) / shadow.z;
+                if (max(abs(uv.x), abs(uv.y)) > 1.0) return 0.0;
+                float sum = 0.0;
+                for (int i = -2; i <= 2; ++i)
+                    for (int j = -2; j <= 2; ++j)
+                        sum += texture(silhouette, uv * 0.5 + 0.5 + vec2(i, j) * shadow.w).r;
+                return sum / 25.0;
+            }
+            vec3 waterNormal(vec2 at) {
+                vec2 slope = vec2(0.0);
+                for (int i = 0; i < WAVES; ++i) {
+                    float phase = dot(waves[i].xy, at) + waves[i].w;
+                    slope += waves[i].xy * waves[i].z * cos(phase) * (1.0 - smoothstep(0.6, 2.4, fwidth(phase)));
+                }
+                for (int i = 0; i < 5; ++i) {  // ripples, too small to move anything
+                    float turn = 2.4 * float(i), k = (2.1 + 0.9 * float(i)) / size;
+                    vec2 way = vec2(cos(turn), sin(turn));
+                    float phase = k * dot(way, at) - sqrt(9.81 * k) * time + 1.7 * float(i);
+                    slope += way * 0.022 * cos(phase) * (1.0 - smoothstep(0.4, 1.8, fwidth(phase)));
+                }
+                return normalize(vec3(-slope.x, 1.0, -slope.y));
+            }
+            void main() {
+                vec3 base = near, toEye = normalize(eye - world);
+                float strength = 0.55;
+                if (SEA == 1) {
+                    vec3 normal = waterNormal(world.xz);
+                    float facing = max(dot(normal, toEye), 0.0);
+                    vec3 mirrored = reflect(-toEye, normal);
+                    mirrored.y = abs(mirrored.y);
+                    vec3 body = mix(far, near, clamp(0.5 * facing + 2.2 * (normal.x + normal.z) + 0.15, 0.0, 1.0));
+                    base = mix(body, sky(mirrored), 0.03 + 0.85 * pow(1.0 - facing, 4.0));
+                    base += foam * glitter * pow(max(dot(mirrored, sun), 0.0), 90.0);
+                    strength = 0.3;
+                }
+                float fine = lines(world.xz, grid.x * 0.1, 0.5) * grid.y;
+                float drawn = max(max(fine * 0.45, lines(world.xz, grid.x, 0.6)), lines(world.xz, grid.x * 10.0, 1.1) * 1.3);
+                base = mix(base, line, min(drawn, 1.3) * strength * 0.75);
+                base = mix(base, shade, shadowAt(world.xz) * (SEA == 1 ? 0.35 : 0.5));
+                colour = vec4(haze(base, world, 2500.0), 1.0);
+            }`,
+    },
+
+    /// Flat-shaded solids, and arrows, which take one colour and little shading.
+    solid: {
+        vertex: () => `
+            layout(location = 0) in vec3 place;
+            layout(location = 1) in vec3 front;
+            layout(location = 2) in vec3 paint;
+            uniform mat4 model, viewProjection;
+            out vec3 world, normal, tint;
+            void main() {
+                world = (model * vec4(place, 1.0)).xyz;
+                normal = mat3(model) * front;
+                tint = paint;
+                gl_Position = viewProjection * vec4(world, 1.0);
+            }`,
+        fragment: () => `${shaders.air}
+            uniform vec4 ink;  // a colour, and how much of it
+            uniform float ambient, sunlight, opacity;
+            in vec3 world, normal, tint;
+            out vec4 colour;
+            void main() {
+                vec3 n = normalize(gl_FrontFacing ? normal : -normal);
+                float light = ambient + 0.1 * n.y + sunlight * max(dot(n, sun), 0.0);
+                vec3 lit = mix(tint * light, ink.rgb * mix(1.0, light, 0.35), ink.a);
+                colour = vec4(haze(lit, world, 2500.0), opacity);
+            }`,
+    },
+
+    /// The vehicle seen from straight above, in white.
+    silhouette: {
+        vertex: () => `
+            layout(location = 0) in vec3 place;
+            uniform mat4 model;
+            uniform vec3 frame;  // middle x, z, half width
+            void main() {
+                vec3 world = (model * vec4(place, 1.0)).xyz;
+                gl_Position = vec4((world.xz - frame.xy) / frame.z, 0.0, 1.0);
+            }`,
+        fragment: () => `
+            out vec4 colour;
+            void main() { colour = vec4(1.0); }`,
+    },
+
+    /// Pieces of line, some pixels wide: the way flown, strong up to now and faint after.
+    trail: {
+        vertex: run => `${shaders.waves(run.waves.length)}
+            layout(location = 0) in vec4 from;  // x, y, z, time
+            layout(location = 1) in vec4 to;
+            uniform mat4 viewProjection;
+            uniform vec2 picture;  // pixels
+            uniform float width, lift;
+            out float when;
+            vec4 placed(vec3 p) {
+                if (${run.sea ? 'true' : 'false'}) p.y = sea(p.xz) + lift;
+                return viewProjection * vec4(p, 1.0);
+            }
+            void main() {
+                vec4 a = placed(from.xyz), b = placed(to.xyz);
+                float least = 0.02;
+                if (a.w < least && b.w > least) a = mix(a, b, (least - a.w) / (b.w - a.w));
+                if (b.w < least && a.w > least) b = mix(b, a, (least - b.w) / (a.w - b.w));
+                vec2 along = (b.xy / b.w - a.xy / a.w) * picture;
+                along = length(along) > 0.0 ? normalize(along) : vec2(1.0, 0.0);
+                bool second = (gl_VertexID & 2) != 0;
+                vec4 end = second ? b : a;
+                float side = (gl_VertexID & 1) == 0 ? -1.0 : 1.0;
+                end.xy += (vec2(-along.y, along.x) * side + along * (second ? 0.3 : -0.3)) * width / picture * end.w;
+                when = second ? to.w : from.w;
+                gl_Position = end;
+            }`,
+        fragment: () => `
+            uniform vec3 pen;
+            uniform float now, past, future;
+            in float when;
+            out vec4 colour;
+            void main() { colour = vec4(pen, when <= now ? past : future); }`,
+    },
+};
