@@ -1,12 +1,11 @@
 #include <cyclone/body.h>
-#include <cyclone/freerotation.h>
+#include <cyclone/step.h>
 
 #include <algorithm>
 
 namespace cyclone {
 
 // ---- Mass and inertia
-// -------------------------------------------------------------------------------------------
 
 void RigidBody::setMass(real kilograms) {
     require(kilograms > 0 && kilograms <= REAL_MAX && real_isfinite(1 / kilograms), "RigidBody::setMass",
@@ -77,12 +76,16 @@ void RigidBody::setPrincipalInertia(const Matrix3 &tensor, bool isInverse, const
     }
 
     inertia = isInverse ? reciprocals(values) : values;
-    inverseInertia = isInverse ? values : reciprocals(values);
+    setPrincipalFrame(isInverse ? values : reciprocals(values), axes);
+    setMomentumFromRotation();
+}
+
+void RigidBody::setPrincipalFrame(const Vector3 &inverseMoments, const Quaternion &axes) {
+    inverseInertia = inverseMoments;
     hasLockedAxis = inverseInertia.x == 0 || inverseInertia.y == 0 || inverseInertia.z == 0;
+    middleAxis = axisOfMiddleValue(inverseInertia);
     principalAxes = axes;
     hasPrincipalAxes = axes != Quaternion();
-    middleAxis = axisOfMiddleValue(inverseInertia);
-    setMomentumFromRotation();
 }
 
 void RigidBody::setInertiaTensor(const Matrix3 &inertiaTensor) {
@@ -127,7 +130,6 @@ void RigidBody::setMomentumFromRotation() {
 }
 
 // ---- Damping
-// ----------------------------------------------------------------------------------------------------
 
 namespace {
 
@@ -162,7 +164,6 @@ void RigidBody::renewDampingFactors(real duration) {
 }
 
 // ---- Motion
-// -----------------------------------------------------------------------------------------------------
 
 void RigidBody::setPosition(const Vector3 &worldPoint) {
     requireVector(worldPoint.isFinite(), "RigidBody::setPosition", "the position must be finite", worldPoint);
@@ -205,7 +206,6 @@ void RigidBody::setAcceleration(const Vector3 &metresPerSecondSquared) {
 void RigidBody::calculateDerivedData() { transform.setOrientationAndPos(orientation, getPosition()); }
 
 // ---- Forces and sleep
-// -------------------------------------------------------------------------------------------
 
 void RigidBody::dropLoads() {
     generated = added = Load();
@@ -258,191 +258,118 @@ void RigidBody::keepLastGoodState() {
     faulted = true;
 }
 
-// ---- The step
-// ---------------------------------------------------------------------------------------------------
+// ---- Saving and restoring
 
-/// Up to eight bodies on their way through one step: each is kicked by its forces and drifts along, all turn
-/// side by side, then each takes over its new state.
-///
-/// Kicks and drift are the leapfrog scheme with damping k over half a step,
-///
-///     v₁ = (v + (A − A_last)·h_last/2 + A·h/2)·k,   x += v₁·h,   v = v₁·k + A·h/2 ,
-///
-/// and the same for angular momentum with torque, around the free rotation. A is evaluated once, at the
-/// start; the term with A_last turns the last step's closing kick into one by the force at its end, which is
-/// known only now.
-class StepBlock {
-public:
-    explicit StepBlock(real h) : duration(h) {}
-
-    /// Takes an awake body in; advances all that are in when the block is full.
-    void add(RigidBody &body);
-    /// Advances those that are in. Returns how many bodies could not be advanced, of all that were ever in.
-    std::size_t finish();
-
-private:
-    static constexpr int SIZE = FreeRotation::LANES;
-
-    /// What is known of a body after its kick and drift.
-    struct Entry {
-        RigidBody *body;
-        Vector3 acceleration, torque;
-        Vector3 angularKick;  ///< what the first half of the step adds to the angular momentum
-        Vector3 position, velocity;
-    };
-
-    void kickAndDrift(Entry &entry) const;
-    void turnLocked(const Entry &entry);
-    void gather(const Entry &entry, int lane);
-    void scatter(const Entry &entry, int lane);
-    bool takeOver(const Entry &entry, const Quaternion &orientation, const Vector3 &rotation,
-                  const Vector3 &angularMomentum);
-
-    const real duration;
-    FreeRotation turning;
-    Entry entries[SIZE];
-    int count = 0;
-    std::size_t faults = 0;
-};
-
-void StepBlock::add(RigidBody &body) {
-    if (body.factorDuration != duration) body.renewDampingFactors(duration);
-    Entry &entry = entries[count];
-    entry.body = &body;
-    kickAndDrift(entry);
-    if (!body.turnsFreely()) return turnLocked(entry);
-    gather(entry, count);
-    if (++count == SIZE) finish();
-}
-
-std::size_t StepBlock::finish() {
-    if (count > 0) turning.advance(count, duration);
-    for (int lane = 0; lane < count; ++lane) scatter(entries[lane], lane);
-    count = 0;
-    return faults;
-}
-
-void StepBlock::kickAndDrift(Entry &entry) const {
-    const RigidBody &body = *entry.body;
-    entry.velocity = body.velocity;
-    entry.acceleration = entry.torque = entry.angularKick = Vector3();
-    if (body.hasFiniteMass()) {
-        Vector3 force = body.generated.force;
-        entry.torque = body.generated.torque;
-        if (body.hasAdded) {
-            force += body.added.force;
-            entry.torque += body.added.torque;
-        }
-        entry.acceleration = body.acceleration + force * body.inverseMass;
-        const real mend = body.isGenerated ? body.lastDuration / 2 : 0;
-        const Vector3 forceChange = body.generated.force - body.lastGenerated.force;
-        const Vector3 torqueChange = body.generated.torque - body.lastGenerated.torque;
-        entry.velocity =
-            (body.velocity + forceChange * (mend * body.inverseMass) + entry.acceleration * (duration / 2)) *
-            body.linearFactor;
-        entry.angularKick = torqueChange * mend + entry.torque * (duration / 2);
-    }
-    entry.position = body.getPosition() + entry.velocity * duration;
+RigidBody::State RigidBody::getState() const {
+    State s;
+    s.position = getPosition();
+    s.orientation = orientation;
+    s.velocity = velocity;
+    s.rotation = rotation;
+    s.angularMomentum = angularMomentum;
+    s.acceleration = acceleration;
+    s.lastFrameAcceleration = lastFrameAcceleration;
+    s.addedForce = added.force;
+    s.addedTorque = added.torque;
+    s.generatedForce = generated.force;
+    s.generatedTorque = generated.torque;
+    s.lastForce = lastGenerated.force;
+    s.lastTorque = lastGenerated.torque;
+    s.lastDuration = lastDuration;
+    s.mass = mass;
+    s.inverseMass = inverseMass;
+    s.inertia = inertia;
+    s.inverseInertia = inverseInertia;
+    s.principalAxes = principalAxes;
+    s.linearDamping = linearDamping;
+    s.angularDamping = angularDamping;
+    s.motion = motion;
+    s.sleepEpsilon = sleepEpsilon;
+    s.awake = awake;
+    s.canSleep = canSleep;
+    s.faulted = faulted;
+    s.hasAdded = hasAdded;
+    s.isGenerated = isGenerated;
+    return s;
 }
 
 namespace {
 
-/// Where each body axis goes when the axes are renumbered cyclically so that `middle` becomes axis 0.
-constexpr int RENUMBERED[3][3] = {{0, 1, 2}, {2, 0, 1}, {1, 2, 0}};
+bool isUnit(const Quaternion &q) { return real_abs(q.squareMagnitude() - 1) < 1e-9; }
 
-void storeRenumbered(real (*rows)[FreeRotation::LANES], const int *row, int lane, const Vector3 &v) {
-    rows[row[0]][lane] = v.x;
-    rows[row[1]][lane] = v.y;
-    rows[row[2]][lane] = v.z;
+bool isNotNegative(real value) { return value >= 0 && value <= REAL_MAX; }
+
+bool isNotNegative(const Vector3 &v) {
+    return isNotNegative(v.x) && isNotNegative(v.y) && isNotNegative(v.z);
 }
 
-Vector3 loadRenumbered(const real (*rows)[FreeRotation::LANES], const int *row, int lane) {
-    return Vector3(rows[row[0]][lane], rows[row[1]][lane], rows[row[2]][lane]);
-}
+bool isDamping(real value) { return value >= 0 && value <= 1; }
 
 }  // namespace
 
-void StepBlock::gather(const Entry &entry, int lane) {
-    const RigidBody &body = *entry.body;
-    const int *row = RENUMBERED[body.middleAxis];
-    const Quaternion q = body.hasPrincipalAxes ? body.orientation * body.principalAxes : body.orientation;
-    turning.orientation[0][lane] = q.r;
-    storeRenumbered(turning.orientation + 1, row, lane, Vector3(q.i, q.j, q.k));
-    storeRenumbered(turning.inverseInertia, row, lane, body.inverseInertia);
-
-    const Vector3 momentum = (body.angularMomentum + entry.angularKick) * body.angularFactor;
-    storeRenumbered(turning.momentum, row, lane, momentum);
-    storeRenumbered(turning.finalMomentum, row, lane,
-                    momentum * body.angularFactor + entry.torque * (duration / 2));
+const char *RigidBody::State::findError() const {
+    if (!position.isFinite()) return "the position must be finite";
+    if (!isUnit(orientation)) return "the orientation must be a unit quaternion";
+    if (!velocity.isFinite()) return "the velocity must be finite";
+    if (!rotation.isFinite()) return "the rotation must be finite";
+    if (!angularMomentum.isFinite()) return "the angular momentum must be finite";
+    if (!acceleration.isFinite()) return "the acceleration must be finite";
+    if (!lastForce.isFinite() || !lastTorque.isFinite()) return "the last step's forces must be finite";
+    if (!isNotNegative(lastDuration)) return "the last step's duration must be finite and not negative";
+    if (!(mass > 0 && isNotNegative(mass))) return "the mass must be positive and finite";
+    if (!isNotNegative(inverseMass)) return "the inverse mass must be finite and not negative";
+    if (!(inertia.x > 0 && inertia.y > 0 && inertia.z > 0)) return "the moments of inertia must be positive";
+    if (!isNotNegative(inverseInertia)) return "the inverse moments must be finite and not negative";
+    if (!isUnit(principalAxes)) return "the principal axes must be a unit quaternion";
+    if (!isDamping(linearDamping) || !isDamping(angularDamping)) return "the damping must be between 0 and 1";
+    if (!isNotNegative(motion)) return "the motion must be finite and not negative";
+    if (!isNotNegative(sleepEpsilon)) return "the sleep limit must be finite and not negative";
+    return nullptr;
 }
 
-void StepBlock::scatter(const Entry &entry, int lane) {
-    RigidBody &body = *entry.body;
-    const int *row = RENUMBERED[body.middleAxis];
-    const Vector3 v = loadRenumbered(turning.orientation + 1, row, lane);
-    Quaternion orientation(turning.orientation[0][lane], v.x, v.y, v.z);
-    if (body.hasPrincipalAxes) orientation *= body.principalAxes.conjugate();
+void RigidBody::setState(const State &s) {
+    const char *const error = s.findError();
+    require(error == nullptr, "RigidBody::setState", error);
 
-    if (!takeOver(entry, orientation, loadRenumbered(turning.rotation, row, lane),
-                  loadRenumbered(turning.finalMomentum, row, lane)))
-        return;
-    if (body.hasPrincipalAxes) return body.calculateDerivedData();
-    for (int column = 0; column < 3; ++column)
-        for (int line = 0; line < 3; ++line)
-            body.transform.data[4 * line + column] = turning.matrix[3 * row[line] + row[column]][lane];
+    orientation = s.orientation;
+    transform.setOrientationAndPos(s.orientation, s.position);
+    velocity = s.velocity;
+    rotation = s.rotation;
+    angularMomentum = s.angularMomentum;
+    acceleration = s.acceleration;
+    lastFrameAcceleration = s.lastFrameAcceleration;
+    added = {s.addedForce, s.addedTorque};
+    generated = {s.generatedForce, s.generatedTorque};
+    lastGenerated = {s.lastForce, s.lastTorque};
+    lastDuration = s.lastDuration;
+    mass = s.mass;
+    inverseMass = s.inverseMass;
+    inertia = s.inertia;
+    setPrincipalFrame(s.inverseInertia, s.principalAxes);
+    if (linearDamping != s.linearDamping || angularDamping != s.angularDamping)
+        setDamping(s.linearDamping, s.angularDamping);
+    motion = s.motion;
+    sleepEpsilon = s.sleepEpsilon;
+    awake = s.awake;
+    canSleep = s.canSleep;
+    faulted = s.faulted;
+    hasAdded = s.hasAdded;
+    isGenerated = s.isGenerated;
 }
 
-/// A body that is immovable or has a locked axis: each component of its rotation in its own axes goes on
-/// alone, without gyroscopic coupling, and torques act about free axes only.
-void StepBlock::turnLocked(const Entry &entry) {
-    RigidBody &body = *entry.body;
-    const bool movable = body.hasFiniteMass();
-    const real factor = movable ? body.angularFactor : 1;
-    const Vector3 inverseInertia = movable ? body.inverseInertia : Vector3();
-    const Matrix3 axes = body.getPrincipalAxesInWorld();
-    const auto gain = [&](const Vector3 &impulse) {
-        return inverseInertia.componentProduct(axes.transformTranspose(impulse));
+RigidBody::State RigidBody::State::linearInterpolate(const State &a, const State &b, real prop) {
+    const auto between = [prop](const Vector3 &from, const Vector3 &to) {
+        return from * (1 - prop) + to * prop;
     };
-    const Vector3 spin = (axes.transformTranspose(body.rotation) + gain(entry.angularKick)) * factor;
-    const Vector3 rotation = spin * factor + gain(entry.torque * (duration / 2));
-
-    Quaternion orientation = body.orientation;
-    orientation.rotateByVector(axes.transform(spin) * duration);
-    orientation.normalise();
-    const Matrix3 newAxes = rotationMatrix(orientation * body.principalAxes);
-    if (!takeOver(entry, orientation, newAxes.transform(rotation), Vector3())) return;
-    body.calculateDerivedData();
-    const real lastDuration = body.lastDuration;
-    body.setMomentumFromRotation();
-    body.lastDuration = lastDuration;
+    State result = b;
+    result.position = between(a.position, b.position);
+    result.velocity = between(a.velocity, b.velocity);
+    result.rotation = between(a.rotation, b.rotation);
+    result.orientation = Quaternion::linearInterpolate(a.orientation, b.orientation, prop);
+    return result;
 }
 
-/// Gives the body its new state, if that is finite; its old one otherwise.
-bool StepBlock::takeOver(const Entry &entry, const Quaternion &orientation, const Vector3 &rotation,
-                         const Vector3 &angularMomentum) {
-    RigidBody &body = *entry.body;
-    const real linearFactor = body.hasFiniteMass() ? body.linearFactor : 1;
-    const Vector3 velocity = entry.velocity * linearFactor + entry.acceleration * (duration / 2);
-    const Vector3 sum = entry.position + velocity + rotation + angularMomentum;
-    if (!real_isfinite(sum.x + sum.y + sum.z + orientation.r + orientation.i + orientation.j +
-                       orientation.k)) {
-        body.keepLastGoodState();
-        ++faults;
-        return false;
-    }
-    body.transform.setAxisVector(3, entry.position);
-    body.orientation = orientation;
-    body.velocity = velocity;
-    body.rotation = rotation;
-    body.angularMomentum = angularMomentum;
-    body.lastFrameAcceleration = entry.acceleration;
-
-    body.lastDuration = body.isGenerated ? duration : 0;
-    if (body.isGenerated) body.lastGenerated = body.generated;
-    body.clearAccumulators();
-    if (body.canSleep) body.fallAsleepIfIdle(entry.torque, duration);
-    return true;
-}
+// ---- The step
 
 bool RigidBody::integrate(real duration) {
     RigidBody *const self = this;

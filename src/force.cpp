@@ -7,7 +7,6 @@
 namespace cyclone {
 
 // ---- The registry
-// -----------------------------------------------------------------------------------------------
 
 void ForceRegistry::add(RigidBody *body, ForceGenerator *generator) {
     requireNonNull(body, "ForceRegistry::add", "the body must not be null");
@@ -171,7 +170,6 @@ void ForceRegistry::renewSchedule() {
 }
 
 // ---- The simple forces
-// ------------------------------------------------------------------------------------------
 
 Gravity::Gravity(const Vector3 &a) : acceleration(a) {
     requireVector(a.isFinite(), "Gravity::Gravity", "the acceleration must be finite", a);

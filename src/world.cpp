@@ -6,7 +6,6 @@
 namespace cyclone {
 
 // ---- Bodies
-// -----------------------------------------------------------------------------------------------------
 
 /// Slabs of bodies; a body's place is used again after its end.
 class World::Bodies {
@@ -81,7 +80,6 @@ void World::takeOut(RigidBody *body) {
 }
 
 // ---- A frame
-// ----------------------------------------------------------------------------------------------------
 
 void World::startFrame() {
     for (RigidBody *body : bodies) body->clearAccumulators();
@@ -134,8 +132,18 @@ void World::listFaultedBodies(bool anyNew) {
                         faultedBodies.end());
 }
 
+// ---- Saving and restoring
+
+void World::saveState(Snapshot &snapshot) const { writeSnapshot(bodies.data(), bodies.size(), snapshot); }
+
+void World::restoreState(const Snapshot &snapshot) {
+    readSnapshot(snapshot, bodies.data(), bodies.size());
+    listFaultedBodies(true);
+}
+
+std::uint64_t World::hash() const { return hashStates(bodies.data(), bodies.size()); }
+
 // ---- Threads
-// ----------------------------------------------------------------------------------------------------
 
 void World::setWorkers(std::size_t threadCount) {
     jobs = nullptr;

@@ -163,6 +163,39 @@ public:
     /// Whether the last step failed and the body has not been woken since.
     bool hasFaulted() const { return faulted; }
 
+    /// @name Saving and restoring
+    /// @{
+
+    /// Everything that the next step depends on, and nothing else. Same state and same forces: the same bits.
+    struct State {
+        Vector3 position;
+        Quaternion orientation;
+        Vector3 velocity, rotation, angularMomentum;
+        Vector3 acceleration, lastFrameAcceleration;
+        Vector3 addedForce, addedTorque;          ///< by the caller since the last step
+        Vector3 generatedForce, generatedTorque;  ///< by generators since the last step
+        Vector3 lastForce, lastTorque;            ///< by generators in the last step, which took
+        real lastDuration = 0;                    ///< so long; 0: nothing to remember
+        real mass = 1, inverseMass = 1;
+        Vector3 inertia = Vector3(1, 1, 1), inverseInertia = Vector3(1, 1, 1);  ///< principal
+        Quaternion principalAxes;  ///< from principal axes to body axes
+        real linearDamping = 1, angularDamping = 1;
+        real motion = 0, sleepEpsilon = 0.01;
+        bool awake = true, canSleep = false, faulted = false, hasAdded = false, isGenerated = false;
+
+        /// Why no body can be in this state; null if one can.
+        const char *findError() const;
+
+        /// For drawing between two steps: position, velocity and rotation linearly, the orientation the short
+        /// way round, between a (prop 0) and b (prop 1); everything else as in b.
+        static State linearInterpolate(const State &a, const State &b, real prop);
+    };
+
+    State getState() const;
+    /// Takes a state over, bit by bit. Refuses one that no body can be in.
+    void setState(const State &state);
+    /// @}
+
 private:
     friend class ForceRegistry;
     friend class StepBlock;
@@ -184,6 +217,7 @@ private:
 
     void forgetForces() { lastDuration = 0; }
     void setPrincipalInertia(const Matrix3 &tensor, bool isInverse, const char *function);
+    void setPrincipalFrame(const Vector3 &inverseMoments, const Quaternion &axes);
     void setMomentumFromRotation();
     bool turnsFreely() const { return inverseMass > 0 && !hasLockedAxis; }
     Matrix3 getPrincipalAxesInWorld() const;

@@ -5,5 +5,6 @@
 #include <cyclone/body.h>
 #include <cyclone/core.h>
 #include <cyclone/fgen.h>
+#include <cyclone/fixedstep.h>
 #include <cyclone/precision.h>
 #include <cyclone/world.h>

@@ -4,6 +4,7 @@
 /// The world: bodies, the forces that act on them, and the frame that advances them all.
 #include <cyclone/force.h>
 #include <cyclone/jobs.h>
+#include <cyclone/snapshot.h>
 
 #include <memory>
 #include <unordered_set>
@@ -66,6 +67,21 @@ public:
     void runPhysics(real duration);
     /// Advances every body, without the registry.
     void integrate(real duration);
+    /// @}
+
+    /// @name Saving and restoring
+    /// The states of all bodies, in their order. Settings of generators (controls, throttles, winds) and the
+    /// registrations are not among them: they are the game's inputs, to be set again by the game. Run on with
+    /// the same inputs, a restored world gives the same bits as one that was never stopped.
+    /// @{
+
+    /// Reuses the snapshot's memory.
+    void saveState(Snapshot &snapshot) const;
+    /// Refuses a snapshot that findSnapshotError() finds fault with, and changes nothing then.
+    void restoreState(const Snapshot &snapshot);
+    /// A number that depends on every bit of the bodies' states, to notice when two machines fall out of
+    /// step.
+    std::uint64_t hash() const;
     /// @}
 
     /// @name Threads

@@ -1,0 +1,42 @@
+#pragma once
+
+/// @file
+/// The game loop's clock: wall-clock time in, fixed physics steps out.
+#include <cyclone/precision.h>
+
+namespace cyclone {
+
+/// Says how many steps of a fixed length the simulation has to run to keep up with the wall clock.
+///
+///     for (unsigned n = clock.advance(elapsed); n > 0; --n) {
+///         before = body.getState();
+///         world.startFrame();
+///         world.runPhysics(clock.getStep());
+///     }
+///     draw(RigidBody::State::linearInterpolate(before, body.getState(), clock.getFraction()));
+///
+/// Only the number of steps depends on the clock, never their length: the same inputs at the same steps give
+/// the same bits, at every frame rate.
+class FixedStep {
+public:
+    /// The step's length, and the longest wall-clock time (both s, positive and finite) that is made good at
+    /// once. What is beyond is dropped: the simulation slows down rather than fall ever further behind.
+    explicit FixedStep(real step = 1.0 / 60, real longest = 0.25);
+
+    /// Takes the time that has passed since the last call (s, not negative) and says how many steps to run
+    /// now.
+    unsigned advance(real elapsed);
+    /// How much of the next step the wall clock has covered already, 0 … 1: draw this far between the last
+    /// two states.
+    real getFraction() const { return remainder / step; }
+    real getStep() const { return step; }
+
+    /// Forgets what has not been run yet: after a pause, a load, a rewind.
+    void reset() { remainder = 0; }
+
+private:
+    real step, longest;
+    real remainder = 0;
+};
+
+}  // namespace cyclone

@@ -1,0 +1,56 @@
+#pragma once
+
+/// @file
+/// The step: how bodies are advanced. Games call RigidBody::integrate or World::runPhysics, which use it.
+#include <cyclone/body.h>
+#include <cyclone/freerotation.h>
+
+#include <cstddef>
+
+namespace cyclone {
+
+/// Up to eight bodies on their way through one step: each is kicked by its forces and drifts along, all turn
+/// side by side, then each takes over its new state.
+///
+/// Kicks and drift are the leapfrog scheme with damping k over half a step,
+///
+///     v₁ = (v + (A − A_last)·h_last/2 + A·h/2)·k,   x += v₁·h,   v = v₁·k + A·h/2 ,
+///
+/// and the same for angular momentum with torque, around the free rotation. A is evaluated once, at the
+/// start; the term with A_last turns the last step's closing kick into one by the force at its end, which is
+/// known only now.
+class StepBlock {
+public:
+    explicit StepBlock(real h) : duration(h) {}
+
+    /// Takes an awake body in; advances all that are in when the block is full.
+    void add(RigidBody &body);
+    /// Advances those that are in. Returns how many bodies could not be advanced, of all that were ever in.
+    std::size_t finish();
+
+private:
+    static constexpr int SIZE = FreeRotation::LANES;
+
+    /// What is known of a body after its kick and drift.
+    struct Entry {
+        RigidBody *body;
+        Vector3 acceleration, torque;
+        Vector3 angularKick;  ///< what the first half of the step adds to the angular momentum
+        Vector3 position, velocity;
+    };
+
+    void kickAndDrift(Entry &entry) const;
+    void turnLocked(const Entry &entry);
+    void gather(const Entry &entry, int lane);
+    void scatter(const Entry &entry, int lane);
+    bool takeOver(const Entry &entry, const Quaternion &orientation, const Vector3 &rotation,
+                  const Vector3 &angularMomentum);
+
+    const real duration;
+    FreeRotation turning;
+    Entry entries[SIZE];
+    int count = 0;
+    std::size_t faults = 0;
+};
+
+}  // namespace cyclone

@@ -1,0 +1,145 @@
+#include <cyclone/step.h>
+
+namespace cyclone {
+
+void StepBlock::add(RigidBody &body) {
+    if (body.factorDuration != duration) body.renewDampingFactors(duration);
+    Entry &entry = entries[count];
+    entry.body = &body;
+    kickAndDrift(entry);
+    if (!body.turnsFreely()) return turnLocked(entry);
+    gather(entry, count);
+    if (++count == SIZE) finish();
+}
+
+std::size_t StepBlock::finish() {
+    if (count > 0) turning.advance(count, duration);
+    for (int lane = 0; lane < count; ++lane) scatter(entries[lane], lane);
+    count = 0;
+    return faults;
+}
+
+void StepBlock::kickAndDrift(Entry &entry) const {
+    const RigidBody &body = *entry.body;
+    entry.velocity = body.velocity;
+    entry.acceleration = entry.torque = entry.angularKick = Vector3();
+    if (body.hasFiniteMass()) {
+        Vector3 force = body.generated.force;
+        entry.torque = body.generated.torque;
+        if (body.hasAdded) {
+            force += body.added.force;
+            entry.torque += body.added.torque;
+        }
+        entry.acceleration = body.acceleration + force * body.inverseMass;
+        const real mend = body.isGenerated ? body.lastDuration / 2 : 0;
+        const Vector3 forceChange = body.generated.force - body.lastGenerated.force;
+        const Vector3 torqueChange = body.generated.torque - body.lastGenerated.torque;
+        entry.velocity =
+            (body.velocity + forceChange * (mend * body.inverseMass) + entry.acceleration * (duration / 2)) *
+            body.linearFactor;
+        entry.angularKick = torqueChange * mend + entry.torque * (duration / 2);
+    }
+    entry.position = body.getPosition() + entry.velocity * duration;
+}
+
+namespace {
+
+/// Where each body axis goes when the axes are renumbered cyclically so that `middle` becomes axis 0.
+constexpr int RENUMBERED[3][3] = {{0, 1, 2}, {2, 0, 1}, {1, 2, 0}};
+
+void storeRenumbered(real (*rows)[FreeRotation::LANES], const int *row, int lane, const Vector3 &v) {
+    rows[row[0]][lane] = v.x;
+    rows[row[1]][lane] = v.y;
+    rows[row[2]][lane] = v.z;
+}
+
+Vector3 loadRenumbered(const real (*rows)[FreeRotation::LANES], const int *row, int lane) {
+    return Vector3(rows[row[0]][lane], rows[row[1]][lane], rows[row[2]][lane]);
+}
+
+}  // namespace
+
+void StepBlock::gather(const Entry &entry, int lane) {
+    const RigidBody &body = *entry.body;
+    const int *row = RENUMBERED[body.middleAxis];
+    const Quaternion q = body.hasPrincipalAxes ? body.orientation * body.principalAxes : body.orientation;
+    turning.orientation[0][lane] = q.r;
+    storeRenumbered(turning.orientation + 1, row, lane, Vector3(q.i, q.j, q.k));
+    storeRenumbered(turning.inverseInertia, row, lane, body.inverseInertia);
+
+    const Vector3 momentum = (body.angularMomentum + entry.angularKick) * body.angularFactor;
+    storeRenumbered(turning.momentum, row, lane, momentum);
+    storeRenumbered(turning.finalMomentum, row, lane,
+                    momentum * body.angularFactor + entry.torque * (duration / 2));
+}
+
+void StepBlock::scatter(const Entry &entry, int lane) {
+    RigidBody &body = *entry.body;
+    const int *row = RENUMBERED[body.middleAxis];
+    const Vector3 v = loadRenumbered(turning.orientation + 1, row, lane);
+    Quaternion orientation(turning.orientation[0][lane], v.x, v.y, v.z);
+    if (body.hasPrincipalAxes) orientation *= body.principalAxes.conjugate();
+
+    if (!takeOver(entry, orientation, loadRenumbered(turning.rotation, row, lane),
+                  loadRenumbered(turning.finalMomentum, row, lane)))
+        return;
+    if (body.hasPrincipalAxes) return body.calculateDerivedData();
+    for (int column = 0; column < 3; ++column)
+        for (int line = 0; line < 3; ++line)
+            body.transform.data[4 * line + column] = turning.matrix[3 * row[line] + row[column]][lane];
+}
+
+/// A body that is immovable or has a locked axis: each component of its rotation in its own axes goes on
+/// alone, without gyroscopic coupling, and torques act about free axes only.
+void StepBlock::turnLocked(const Entry &entry) {
+    RigidBody &body = *entry.body;
+    const bool movable = body.hasFiniteMass();
+    const real factor = movable ? body.angularFactor : 1;
+    const Vector3 inverseInertia = movable ? body.inverseInertia : Vector3();
+    const Matrix3 axes = body.getPrincipalAxesInWorld();
+    const auto gain = [&](const Vector3 &impulse) {
+        return inverseInertia.componentProduct(axes.transformTranspose(impulse));
+    };
+    const Vector3 spin = (axes.transformTranspose(body.rotation) + gain(entry.angularKick)) * factor;
+    const Vector3 rotation = spin * factor + gain(entry.torque * (duration / 2));
+
+    Quaternion orientation = body.orientation;
+    orientation.rotateByVector(axes.transform(spin) * duration);
+    orientation.normalise();
+    Matrix3 newAxes;
+    newAxes.setOrientation(orientation * body.principalAxes);
+    if (!takeOver(entry, orientation, newAxes.transform(rotation), Vector3())) return;
+    body.calculateDerivedData();
+    const real lastDuration = body.lastDuration;
+    body.setMomentumFromRotation();
+    body.lastDuration = lastDuration;
+}
+
+/// Gives the body its new state, if that is finite; its old one otherwise.
+bool StepBlock::takeOver(const Entry &entry, const Quaternion &orientation, const Vector3 &rotation,
+                         const Vector3 &angularMomentum) {
+    RigidBody &body = *entry.body;
+    const real linearFactor = body.hasFiniteMass() ? body.linearFactor : 1;
+    const Vector3 velocity = entry.velocity * linearFactor + entry.acceleration * (duration / 2);
+    const Vector3 sum = entry.position + velocity + rotation + angularMomentum;
+    if (!real_isfinite(sum.x + sum.y + sum.z + orientation.r + orientation.i + orientation.j +
+                       orientation.k)) {
+        body.keepLastGoodState();
+        ++faults;
+        return false;
+    }
+    body.transform.setAxisVector(3, entry.position);
+    body.orientation = orientation;
+    body.velocity = velocity;
+    body.rotation = rotation;
+    body.angularMomentum = angularMomentum;
+    body.lastFrameAcceleration = entry.acceleration;
+
+    body.lastDuration = body.isGenerated ? duration : 0;
+    if (body.isGenerated) body.lastGenerated = body.generated;
+    body.clearAccumulators();
+    if (body.canSleep) body.fallAsleepIfIdle(entry.torque, duration);
+    return true;
+}
+
+}  // namespace cyclone
