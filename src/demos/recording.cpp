@@ -147,24 +147,33 @@ Vector3 seenFrom(const Pose &body, const Vector3 &point) {
     return body.orientation.conjugate().rotate(point - body.position);
 }
 
-/// Where the part was: in the world for the body and for what never moves, and else as seen from the body,
-/// where most parts are at rest or only turn.
+/// How far a track goes, all axes together.
+real extent(const std::vector<Vector3> &track) {
+    Vector3 least = track.front(), most = least;
+    for (const Vector3 &v : track)
+        for (unsigned axis = 0; axis < 3; ++axis) {
+            least[axis] = std::min(least[axis], v[axis]);
+            most[axis] = std::max(most[axis], v[axis]);
+        }
+    return (most.x - least.x) + (most.y - least.y) + (most.z - least.z);
+}
+
+/// Where the part was: as seen from the body, for what goes with it, where most parts are at rest or only
+/// turn; and in the world for the body and for what stays behind.
 std::string encodeMotion(const std::vector<Frame> &frames, std::size_t part) {
-    const Pose &first = frames.front().poses[part];
-    const bool still = std::all_of(frames.begin(), frames.end(), [&](const Frame &frame) {
-        const Pose &pose = frame.poses[part];
-        return pose.position == first.position && pose.orientation == first.orientation;
-    });
-    const bool onBody = part != 0 && !still;
-    std::vector<Vector3> positions;
+    std::vector<Vector3> inWorld, fromBody;
     std::vector<Quaternion> orientations;
     for (const Frame &frame : frames) {
-        const Pose &body = frame.poses[0], &pose = frame.poses[part];
-        positions.push_back(onBody ? seenFrom(body, pose.position) : pose.position);
-        orientations.push_back(onBody ? body.orientation.conjugate() * pose.orientation : pose.orientation);
+        inWorld.push_back(frame.poses[part].position);
+        fromBody.push_back(seenFrom(frame.poses[0], frame.poses[part].position));
+    }
+    const bool onBody = part != 0 && extent(fromBody) <= extent(inWorld);
+    for (const Frame &frame : frames) {
+        const Quaternion &orientation = frame.poses[part].orientation;
+        orientations.push_back(onBody ? frame.poses[0].orientation.conjugate() * orientation : orientation);
     }
     return "\"onBody\":" + std::string(onBody ? "true" : "false") +
-           ",\"position\":" + encode(positions, positionTolerance) +
+           ",\"position\":" + encode(onBody ? fromBody : inWorld, positionTolerance) +
            ",\"orientation\":" + encode(orientations);
 }
 

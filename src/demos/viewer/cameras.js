@@ -96,7 +96,7 @@ class Cameras {
     /// Standing beside the start, turning to follow; the lens draws the vehicle nearer, but never all the way.
     fromGround(target, widest, aspect) {
         const s = this.settings.ground, { radius } = this.run;
-        const azimuth = s.azimuth + this.headings[0], reach = 6 * radius;
+        const azimuth = s.azimuth + this.headings[0], reach = 8 * radius;
         const eye = [this.standpoint[0] + reach * Math.cos(azimuth), this.highestWave + Math.max(1.7, 0.4 * radius),
             this.standpoint[2] + reach * Math.sin(azimuth)];
         eye[1] += s.elevation * reach;

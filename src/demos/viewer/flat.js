@@ -117,7 +117,7 @@ class FlatPainter {
                 if (!part.twoSided) return;
                 normal = Vec.scale(normal, -1);
             }
-            const light = look.ambient + 0.1 * normal[1] + look.sunlight * Math.max(0, Vec.dot(normal, sun));
+            const light = look.ambient + 0.08 * normal[1] + look.sunlight * Math.max(0, Vec.dot(normal, sun));
             faces.push({ corners, distance: Vec.size(toEye), colour: rgb(face.colour).map(level => Math.min(255, 255 * level * light)) });
         }));
         faces.sort((a, b) => b.distance - a.distance);

@@ -3,18 +3,21 @@
 
 const looks = {
     light: {
-        zenith: '#9cc3dd', horizon: '#eef1ec', ground: '#d5dbc6', line: '#8b9a78', deep: '#3f7f96', shallow: '#79b3bd',
-        foam: '#ffffff', trail: '#b3402a', wind: '#33475a', shadow: '#2b3a33', ambient: 0.66, sunlight: 0.42, glitter: 0.35,
+        zenith: '#78aed6', horizon: '#eaf0f1', ground: '#d5dbc6', line: '#8b9a78', deep: '#3f7f96', shallow: '#79b3bd',
+        foam: '#ffffff', trail: '#b3402a', wind: '#33475a', shadow: '#2b3a33', ambient: 0.68, sunlight: 0.34, glitter: 0.35,
+        arrow: colour => colour,
     },
     dark: {
         zenith: '#0b131c', horizon: '#2c3d4b', ground: '#1e2723', line: '#61746a', deep: '#0c2735', shallow: '#1d4a5b',
-        foam: '#9fc3cf', trail: '#ff9d7a', wind: '#d5e2ec', shadow: '#04080a', ambient: 0.5, sunlight: 0.4, glitter: 0.25,
+        foam: '#9fc3cf', trail: '#ff9d7a', wind: '#d5e2ec', shadow: '#04080a', ambient: 0.58, sunlight: 0.34, glitter: 0.25,
+        arrow: colour => lightened(colour, 0.35),
     },
 };
 
-const sun = Vec.unit([0.45, 0.8, 0.35]);
-
 const rgb = hex => [1, 3, 5].map(at => parseInt(hex.slice(at, at + 2), 16) / 255);
+const lightened = (hex, much) => '#' + rgb(hex).map(level => Math.round(255 * mix(level, 1, much)).toString(16).padStart(2, '0')).join('');
+
+const sun = Vec.unit([0.45, 0.8, 0.35]);
 
 /// The grid's cell, a power of ten in metres, that shows well at the target, and how far the next finer one has
 /// faded out: 0 to 1.
@@ -39,7 +42,7 @@ function arrowsAt(run, moment, look) {
         const newtons = Vec.size(a.vector) * run.newtonsPerMetre;
         const value = !run.newtonsPerMetre ? '' : `${newtons < 9.95 ? newtons.toFixed(1) : newtons < 9995 ?
             newtons.toFixed(0) : (newtons / 1000).toFixed(0) + ' k'}${newtons < 9995 ? ' ' : ''}N`;
-        return { ...a, value };
+        return { ...a, value, colour: look.arrow(a.colour) };
     });
     const wind = windArrow(run, moment);
     if (wind) arrows.push({ ...wind, colour: look.wind });

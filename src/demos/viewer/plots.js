@@ -11,8 +11,13 @@ function roundStep(range, most) {
 
 /// With as many digits as make sense in such a range, and a true minus.
 function valueText(value, range) {
-    const digits = clamp(2 - Math.floor(Math.log10(Math.max(range, 1e-9))), 0, 3);
+    const digits = clamp(1 - Math.floor(Math.log10(Math.max(range, 1e-9) / 3)), 0, 3);
     return value.toFixed(digits).replace(/^-(?=[0.]*$)/, '').replace('-', '−');
+}
+
+/// A whole number of steps, with the digits that the step needs.
+function stepText(n, step) {
+    return (n * step).toFixed(clamp(-Math.floor(Math.log10(step) + 1e-9), 0, 6)).replace('-', '−');
 }
 
 class Plot {
@@ -31,7 +36,7 @@ class Plot {
         if (least > 0 && least < 0.5 * most) least = 0;
         const slack = Math.max(0.02 * Math.max(Math.abs(least), Math.abs(most)), 1e-3);
         if (most - least < slack) [least, most] = [least - slack, most + slack];
-        this.step = roundStep(most - least, 3);
+        this.step = roundStep(most - least, 4);
         const edge = 0.04 * (most - least);
         Object.assign(this, { extents, least: least - (least === 0 ? 0 : edge), most: most + edge });
     }
@@ -119,13 +124,13 @@ class Plot {
         for (let n = Math.ceil(this.least / this.step); n * this.step <= this.most; ++n) {
             const y = Math.round(this.y(n * this.step)) + 0.5;
             rule(margins.left, y, right, y, this.colour(n === 0 ? '--axis' : '--rule'));
-            pen.fillText(valueText(n * this.step, 100 * this.step), margins.left - 7, y);
+            pen.fillText(stepText(n, this.step), margins.left - 7, y);
         }
         pen.textBaseline = 'alphabetic';
         pen.textAlign = 'center';
         const step = roundStep(run.end - run.start || 1, Math.max(2, Math.floor((right - margins.left) / 60)));
         for (let n = Math.ceil(run.start / step); n * step <= run.end + 1e-6; ++n) {
-            const x = this.x(n * step), text = valueText(n * step, 100 * step);
+            const x = this.x(n * step), text = stepText(n, step);
             rule(Math.round(x) + 0.5, bottom, Math.round(x) + 0.5, bottom + 3, this.colour('--axis'));
             pen.fillText(n === 0 || (n + 1) * step > run.end + 1e-6 ? `${text} s` : text, Math.min(x, width - 14), height - 3);
         }

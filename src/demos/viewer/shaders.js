@@ -93,7 +93,7 @@ const shaders = {
             }
             void main() {
                 vec3 base = near, toEye = normalize(eye - world);
-                float strength = 0.55;
+                float strength = 0.4;
                 if (SEA == 1) {
                     vec3 normal = waterNormal(world.xz);
                     float facing = max(dot(normal, toEye), 0.0);
@@ -102,13 +102,13 @@ const shaders = {
                     vec3 body = mix(far, near, clamp(0.5 * facing + 2.2 * (normal.x + normal.z) + 0.15, 0.0, 1.0));
                     base = mix(body, sky(mirrored), 0.03 + 0.85 * pow(1.0 - facing, 4.0));
                     base += foam * glitter * pow(max(dot(mirrored, sun), 0.0), 90.0);
-                    strength = 0.3;
+                    strength = 0.24;
                 }
                 float fine = lines(world.xz, grid.x * 0.1, 0.5) * grid.y;
                 float drawn = max(max(fine * 0.45, lines(world.xz, grid.x, 0.6)), lines(world.xz, grid.x * 10.0, 1.1) * 1.3);
                 base = mix(base, line, min(drawn, 1.3) * strength * 0.75);
                 base = mix(base, shade, shadowAt(world.xz) * (SEA == 1 ? 0.35 : 0.5));
-                colour = vec4(haze(base, world, 2500.0), 1.0);
+                colour = vec4(haze(base, world, 1500.0), 1.0);
             }`,
     },
 
@@ -133,9 +133,9 @@ const shaders = {
             out vec4 colour;
             void main() {
                 vec3 n = normalize(gl_FrontFacing ? normal : -normal);
-                float light = ambient + 0.1 * n.y + sunlight * max(dot(n, sun), 0.0);
+                float light = ambient + 0.08 * n.y + sunlight * max(dot(n, sun), 0.0);
                 vec3 lit = mix(tint * light, ink.rgb * mix(1.0, light, 0.35), ink.a);
-                colour = vec4(haze(lit, world, 2500.0), opacity);
+                colour = vec4(haze(lit, world, 1500.0), opacity);
             }`,
     },
 

@@ -89,8 +89,8 @@ class SolidPainter {
 
     /// Rings that grow wider outwards, to the horizon.
     makeDisc() {
-        const { gl } = this, sectors = 180, radii = [0];
-        for (let step = 0.35; radii[radii.length - 1] < 30000; step *= step < 0.8 ? 1.01 : 1.035) radii.push(radii[radii.length - 1] + step);
+        const { gl } = this, sectors = 160, radii = [0];
+        for (let step = 0.4, r = 0; r < 30000; step *= step < 0.8 ? 1.01 : 1.05) radii.push(r += step);
         const numbers = [], indices = [];
         for (const r of radii)
             for (let i = 0; i < sectors; ++i) numbers.push(r * Math.cos(2 * Math.PI * i / sectors), r * Math.sin(2 * Math.PI * i / sectors));

@@ -9,6 +9,7 @@ class Stage {
         this.canvas = document.getElementById('scene');
         this.labels = document.getElementById('labels');
         this.scale = document.getElementById('scale');
+        this.pills = [...this.element.querySelectorAll('.pill')];
         this.cameras = new Cameras(run);
         this.choosePainter();
         this.names = [...run.arrows, { name: 'wind' }].map(() => this.labels.appendChild(document.createElement('span')));
@@ -38,14 +39,14 @@ class Stage {
         this.scale.textContent = `grid ${cell < 1000 ? `${cell} m` : `${cell / 1000} km`}`;
     }
 
-    /// A name at each arrow's tip, unless the arrow is short or another name is there already.
+    /// A name at each arrow's tip, unless the arrow is short or something else is there already.
     placeLabels(arrows, view, width, height) {
         const near = 0.01, matrix = Mat.multiply(Mat.perspective(view.fov, width / height, near, 40000), Mat.look(view.eye, view.target));
         const image = p => {
             const [x, y, , w] = Mat.project(matrix, p);
             return w > near ? [(x / w + 1) / 2 * width, (1 - y / w) / 2 * height] : null;
         };
-        const taken = [];
+        const taken = this.pills.map(pill => [pill.offsetLeft, pill.offsetTop, pill.offsetWidth, pill.offsetHeight]);
         this.names.forEach((label, index) => {
             const arrow = arrows[index], tail = arrow && image(arrow.tail), tip = arrow && image(Vec.add(arrow.tail, arrow.vector));
             const text = arrow && `${arrow.name} ${arrow.value}`.trim();
