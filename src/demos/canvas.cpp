@@ -49,7 +49,7 @@ bool areFinite(const std::vector<Vector3> &corners) {
 Colour lit(Colour colour, const Vector3 &unitNormal, bool isThin) {
     const real facing = unitNormal * Canvas::sun();
     const real sunlight = facing > 0 ? facing : isThin ? -0.6 * facing : 0;
-    return mix({0, 0, 0}, colour, 0.55 + 0.1 * unitNormal.y + 0.45 * sunlight);
+    return mix({0, 0, 0}, colour, 0.48 + 0.1 * unitNormal.y + 0.42 * sunlight);
 }
 
 /// 1/z of the plane through a polygon that is given in view coordinates.
@@ -210,7 +210,7 @@ const CellGrid &Canvas::cells() {
             if (glyph)
                 cell = {glyph->character, glyph->colour, mix(mix(upper, lower, 0.5), {0, 0, 0}, DARKENING)};
             else
-                cell = {upper == lower ? U' ' : U'▀', upper, lower};
+                cell = {upper == lower ? U' ' : HALF_BLOCK, upper, lower};
         }
     }
     return cells_;

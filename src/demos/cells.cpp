@@ -30,6 +30,21 @@ int squareDistance(Colour a, int red, int green, int blue) {
     return r * r + g * g + b * b;
 }
 
+}  // namespace
+
+int paletteIndex(Colour colour) {
+    const int r = nearestLevel(colour.red), g = nearestLevel(colour.green), b = nearestLevel(colour.blue);
+    const auto level = [](int i) { return CUBE_LEVELS[static_cast<std::size_t>(i)]; };
+    const int mean = (colour.red + colour.green + colour.blue) / 3;
+    const int step = std::clamp((mean - 3) / 10, 0, 23);
+    const int grey = 8 + 10 * step;
+    if (squareDistance(colour, grey, grey, grey) < squareDistance(colour, level(r), level(g), level(b)))
+        return 232 + step;
+    return 16 + 36 * r + 6 * g + b;
+}
+
+namespace {
+
 bool looksSame(Colour a, Colour b) {
     constexpr int TOLERANCE = 3;
     return std::abs(a.red - b.red) <= TOLERANCE && std::abs(a.green - b.green) <= TOLERANCE &&
@@ -39,6 +54,46 @@ bool looksSame(Colour a, Colour b) {
 bool looksSame(const Cell &a, const Cell &b) {
     return a.glyph == b.glyph && looksSame(a.background, b.background) &&
            (a.glyph == U' ' || looksSame(a.foreground, b.foreground));
+}
+
+Colour paletteColour(int index) {
+    const auto byte = [](int value) { return static_cast<unsigned char>(value); };
+    if (index >= 232)
+        return {byte(8 + 10 * (index - 232)), byte(8 + 10 * (index - 232)), byte(8 + 10 * (index - 232))};
+    const auto level = [&](int i) { return byte(CUBE_LEVELS[static_cast<std::size_t>(i % 6)]); };
+    return {level((index - 16) / 36), level((index - 16) / 6), level(index - 16)};
+}
+
+/// The palette's colours are far apart: neighbouring pixels are pushed different ways (Bayer 1973), so that
+/// their mean comes close to the wanted colour.
+Colour dithered(Colour colour, int x, int y) {
+    constexpr int ORDER[4][4] = {{0, 8, 2, 10}, {12, 4, 14, 6}, {3, 11, 1, 9}, {15, 7, 13, 5}};
+    constexpr int STRENGTH = 32;  // a little less than the distance between the brighter levels
+    const int push = (2 * ORDER[y % 4][x % 4] - 15) * STRENGTH / 32;
+    const auto pushed = [&](int value) {
+        return static_cast<unsigned char>(std::clamp(value + push, 0, 255));
+    };
+    return paletteColour(paletteIndex({pushed(colour.red), pushed(colour.green), pushed(colour.blue)}));
+}
+
+/// The picture in colours of the palette. Half blocks and blanks are dithered; text is not.
+CellGrid inPalette(const CellGrid &picture) {
+    CellGrid result = picture;
+    for (int row = 0; row < picture.rows; ++row) {
+        for (int column = 0; column < picture.columns; ++column) {
+            Cell &cell = result.at(column, row);
+            if (cell.glyph == U' ' || cell.glyph == HALF_BLOCK) {
+                const Colour upper = cell.glyph == U' ' ? cell.background : cell.foreground;
+                cell = {HALF_BLOCK, dithered(upper, column, 2 * row),
+                        dithered(cell.background, column, 2 * row + 1)};
+                if (cell.foreground == cell.background) cell.glyph = U' ';
+            } else {
+                cell.foreground = paletteColour(paletteIndex(cell.foreground));
+                cell.background = paletteColour(paletteIndex(cell.background));
+            }
+        }
+    }
+    return result;
 }
 
 /// Writes cells with as few sequences as the terminal's present state (position and colours) allows.
@@ -89,20 +144,7 @@ private:
     Current foreground_, background_;
 };
 
-}  // namespace
-
-int paletteIndex(Colour colour) {
-    const int r = nearestLevel(colour.red), g = nearestLevel(colour.green), b = nearestLevel(colour.blue);
-    const auto level = [](int i) { return CUBE_LEVELS[static_cast<std::size_t>(i)]; };
-    const int mean = (colour.red + colour.green + colour.blue) / 3;
-    const int step = std::clamp((mean - 3) / 10, 0, 23);
-    const int grey = 8 + 10 * step;
-    if (squareDistance(colour, grey, grey, grey) < squareDistance(colour, level(r), level(g), level(b)))
-        return 232 + step;
-    return 16 + 36 * r + 6 * g + b;
-}
-
-std::string encodeChanges(CellGrid &shown, const CellGrid &next, ColourDepth depth) {
+std::string writeChanges(CellGrid &shown, const CellGrid &next, ColourDepth depth) {
     std::string out;
     Pen pen(out, depth);
     const bool all = shown.columns != next.columns || shown.rows != next.rows;
@@ -120,6 +162,12 @@ std::string encodeChanges(CellGrid &shown, const CellGrid &next, ColourDepth dep
     return out;
 }
 
+}  // namespace
+
+std::string encodeChanges(CellGrid &shown, const CellGrid &next, ColourDepth depth) {
+    return depth == ColourDepth::PALETTE ? writeChanges(shown, inPalette(next), depth)
+                                         : writeChanges(shown, next, depth);
+}
 void appendUtf8(std::string &text, char32_t c) {
     const auto push = [&](char32_t byte) { text += static_cast<char>(static_cast<unsigned char>(byte)); };
     if (c < 0x80) {

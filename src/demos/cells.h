@@ -14,6 +14,9 @@ inline bool operator==(Colour a, Colour b) {
 }
 inline bool operator!=(Colour a, Colour b) { return !(a == b); }
 
+/// Its upper half shows the foreground, its lower half the background: two pixels in one cell.
+constexpr char32_t HALF_BLOCK = U'▀';
+
 /// One character on the screen. Glyphs are one column wide.
 struct Cell {
     char32_t glyph = U' ';
