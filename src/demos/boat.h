@@ -1,0 +1,129 @@
+#pragma once
+
+/// The chapter's catamaran: two hulls that float and are resisted by the water, a sail, and a rudder that is
+/// the daggerboard too.
+///
+/// Body axes +X bow, +Y up, +Z starboard, origin in the centre of mass. In the world +X is north, +Z east and
+/// y = 0 the mean level of the water. Angles in rad; whatever has a side is positive to starboard.
+#include <cyclone/aero.h>
+#include <cyclone/buoyancy.h>
+#include <cyclone/world.h>
+
+#include <array>
+
+namespace demo {
+
+using cyclone::Quaternion;
+using cyclone::real;
+using cyclone::Vector3;
+
+/// The angle in [−π, π) that differs from this one by whole turns.
+real wrapAngle(real angle);
+/// The compass direction of a vector in the world: 0 is north, π/2 east.
+real bearing(const Vector3 &worldDirection);
+
+/// How the water resists a part of a hull that moves through it: along each body axis
+///
+///     force = −submersion·(linear·u + quadratic·|u|·u),
+///
+/// with u the part's velocity through the water, its turning included. Along the hull the quadratic term is
+/// friction and wave making at speed; sideways a hull is a wall; and what it spends up and down on making
+/// waves is what ends heaving, rolling and pitching. The waves' own motion under way is left out.
+class HullResistance : public cyclone::ForceGenerator {
+public:
+    /// Acts where `hull` has its centre of buoyancy, `centre` in body coordinates, as far as it is under
+    /// water. `linear` in N·s/m and `quadratic` in N·s²/m², one for each body axis, wholly under water.
+    /// `hull` must live as long as the resistance acts.
+    HullResistance(const cyclone::Buoyancy *hull, const Vector3 &centre, const Vector3 &linear,
+                   const Vector3 &quadratic);
+
+    /// The force on the body as it moves now, N, world coordinates.
+    Vector3 getForce(const cyclone::RigidBody &body) const;
+
+    void updateForce(cyclone::RigidBody *body, real duration) override;
+    bool actsOnItsBodyOnly() const override { return true; }
+
+private:
+    const cyclone::Buoyancy *hull;
+    Vector3 centre, linear, quadratic;
+};
+
+/// The boat, in a world. Its designer's numbers:
+///
+/// - Four half hulls of 0.22 m³ each, 0.8 m deep, carry 355 kg: they are 40 % under water, and the middle of
+///   the hulls is 8 cm above the surface. One hull alone can carry the boat.
+/// - The sail takes 46 times more force across its cloth than along it. For such a flat sail drive is
+/// greatest
+///   when the boom bisects the angle between the stern and where the wind goes.
+/// - Rudder and hulls together hold against side force at a point 0.6 m aft of the centre of mass. The sail's
+///   centre of effort lies there too, so that the rudder has little to do on a straight course. The rudder is
+///   taken to be under water always, and the sail never.
+class Catamaran {
+public:
+    static constexpr real LENGTH = 6, HULL_SPACING = 2.8;  ///< m; between the hulls' middles
+    static constexpr real HULL_HEIGHT = -0.55;             ///< y of the hulls' middles, m
+    static constexpr real HULL_HALF_DEPTH = 0.4;           ///< m
+    static constexpr real HALF_HULL_VOLUME = 0.22;         ///< m³
+    static constexpr real MAX_RUDDER = 0.6, MAX_SAIL = 1.5;
+
+    /// Adds the boat and its forces to the world, at rest, afloat at the origin, bow to the north. The wind
+    /// (see aero.h) and the water are read at each step. All three must outlive the boat.
+    Catamaran(cyclone::World *world, const Vector3 *windspeed, const cyclone::Water *water);
+    ~Catamaran();
+    Catamaran(const Catamaran &) = delete;
+    Catamaran &operator=(const Catamaran &) = delete;
+
+    /// Puts the boat afloat on an even keel at a point of the water, with this heading and speed ahead (m/s).
+    void launch(real x, real z, real heading, real speed = 0);
+
+    /// The rudder's trailing edge, to starboard positive: with way on, the boat turns that way. Within
+    /// ±MAX_RUDDER.
+    void setRudder(real angle);
+    real getRudder() const { return rudderAngle; }
+    /// The boom, to starboard positive. Within ±MAX_SAIL.
+    void setSail(real angle);
+    real getSail() const { return sailAngle; }
+
+    const cyclone::RigidBody &getBody() const { return body; }
+    cyclone::RigidBody &getBody() { return body; }
+
+    /// @name Readings
+    /// @{
+    real getHeading() const;   ///< of the bow, a compass direction
+    real getSpeed() const;     ///< ahead through the water, m/s
+    real getLeeway() const;    ///< sideways, m/s
+    real getHeel() const;      ///< positive: the starboard side is down
+    real getTrim() const;      ///< positive: the bow is up
+    real getTurnRate() const;  ///< of the heading, rad/s
+    /// Where the wind comes from, off the bow: −π … π, positive over the starboard side.
+    real getTrueWindAngle() const;
+    real getApparentWindAngle() const;
+    real getApparentWindSpeed() const;  ///< m/s
+    bool isCapsized() const;            ///< heeled by more than a right angle
+    /// @}
+
+    /// @name Forces now, in N and world coordinates, and where they act
+    /// @{
+    Vector3 getSailForce() const { return sail.getForce(body); }
+    Vector3 getRudderForce() const { return rudder.getForce(body); }
+    /// Buoyancy of the half hull 0 … 3: port aft, port fore, starboard aft, starboard fore.
+    Vector3 getBuoyancy(unsigned halfHull) const { return hulls[halfHull].getForce(body); }
+    static Vector3 getHullCentre(unsigned halfHull);
+    Vector3 getSailCentre() const { return sail.getPosition(); }
+    Vector3 getRudderCentre() const { return rudder.getPosition(); }
+    /// @}
+
+private:
+    Vector3 getApparentWind() const;
+
+    cyclone::World *world;
+    const Vector3 *windspeed;
+    const cyclone::Water *water;
+    cyclone::RigidBody body;
+    std::array<cyclone::Buoyancy, 4> hulls;
+    std::array<HullResistance, 4> resistances;
+    cyclone::AngledAero sail, rudder;
+    real rudderAngle = 0, sailAngle = 0;
+};
+
+}  // namespace demo
