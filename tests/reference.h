@@ -5,7 +5,10 @@
 #include <cyclone/core.h>
 #include <gtest/gtest.h>
 
+#include "random.h"
+
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <cstdlib>
 #include <fstream>
@@ -62,31 +65,15 @@ private:
     std::vector<std::vector<real>> rows;
 };
 
-/// Evenly distributed numbers (Steele, Lea and Flood, "Fast splittable pseudorandom number generators", 2014:
-/// SplitMix64).
-struct Random {
-    std::uint64_t state = 1;
+/// Random bodies and motions.
+class Random : public cyclone_test::Random {
+public:
+    explicit Random(std::uint64_t seed = 1) : cyclone_test::Random(seed) {}
 
-    real between(real low, real high) {
-        std::uint64_t z = state += 0x9e3779b97f4a7c15;
-        z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9;
-        z = (z ^ (z >> 27)) * 0x94d049bb133111eb;
-        z ^= z >> 31;
-        return low + (high - low) * (static_cast<real>(z >> 11) * 0x1p-53);
-    }
     /// The logarithm is evenly distributed.
     real logBetween(real low, real high) { return std::exp(between(std::log(low), std::log(high))); }
     int below(int count) { return static_cast<int>(between(0, count)); }
-    Vector3 vector(real size) {
-        const real x = between(-size, size), y = between(-size, size);
-        return Vector3(x, y, between(-size, size));
-    }
-    Quaternion orientation() {
-        const Vector3 v = vector(1);
-        Quaternion q(between(-1, 1), v.x, v.y, v.z);
-        q.normalise();
-        return q;
-    }
+    bool oneIn(int count) { return below(count) == 0; }
 };
 
 /// The largest difference between components, the sign of the quaternions being free.

@@ -14,11 +14,7 @@ namespace {
 constexpr real STEP = 1.0 / 60;
 constexpr int STEPS_PER_ROW = 6;  // the tables have a row for every tenth of a second
 
-Matrix3 diagonal(const Vector3 &v) {
-    Matrix3 m;
-    m.setDiagonal(v.x, v.y, v.z);
-    return m;
-}
+Matrix3 diagonal(const Vector3 &v) { return cyclone_test::diagonal(v.x, v.y, v.z); }
 
 RigidBody spinningBody(const Vector3 &inertia, const Vector3 &rotation) {
     RigidBody body;
