@@ -200,7 +200,7 @@ Frame momentOf(const Subject &subject, real time, std::size_t arrows) {
         const real number = static_cast<real>(n);
         const Vector3 hinge(0.1 * number, 0.2, -0.3 * number);
         const Quaternion turn =
-            Quaternion::fromAxisAngle({0, 0, 1}, (n % 2 ? 0.0003 : 0.4) * std::sin(number * time));
+            Quaternion::fromAxisAngle({0, 0, 1}, (n % 2 ? 0.00019 : 0.4) * std::sin(number * time));
         Pose pose{body.position + orientation.rotate(hinge), orientation * turn};
         if (n == 0) pose = body;
         if (n == 3) pose = {{-250, 0, 400}, Quaternion::fromAxisAngle({0, 1, 0}, 1)};

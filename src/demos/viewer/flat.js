@@ -113,11 +113,11 @@ class FlatPainter {
             const corners = this.placed(moment.poses[index], face.corners);
             const middle = Vec.scale(corners.reduce(Vec.add), 1 / corners.length), toEye = Vec.sub(eye, middle);
             let normal = Quat.rotate(moment.poses[index].orientation, this.normals[index][n]);
-            if (Vec.dot(normal, toEye) < 0) {
-                if (!part.twoSided) return;
-                normal = Vec.scale(normal, -1);
-            }
-            const light = look.ambient + 0.08 * normal[1] + look.sunlight * Math.max(0, Vec.dot(normal, sun));
+            const behind = Vec.dot(normal, toEye) < 0;
+            if (behind && !part.twoSided) return;
+            if (behind) normal = Vec.scale(normal, -1);
+            const facing = Vec.dot(normal, sun), through = part.twoSided ? -0.7 * facing : 0;
+            const light = look.ambient + 0.08 * normal[1] + look.sunlight * Math.max(facing, through);
             faces.push({ corners, distance: Vec.size(toEye), colour: rgb(face.colour).map(level => Math.min(255, 255 * level * light)) });
         }));
         faces.sort((a, b) => b.distance - a.distance);

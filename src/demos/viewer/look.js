@@ -4,12 +4,12 @@
 const looks = {
     light: {
         zenith: '#78aed6', horizon: '#eaf0f1', ground: '#d5dbc6', line: '#8b9a78', deep: '#3f7f96', shallow: '#79b3bd',
-        foam: '#ffffff', trail: '#b3402a', wind: '#33475a', shadow: '#2b3a33', ambient: 0.68, sunlight: 0.34, glitter: 0.35,
+        foam: '#ffffff', trail: '#b3402a', wind: '#33475a', shadow: '#2b3a33', ambient: 0.68, sunlight: 0.34, glitter: 0.3, cloud: 0.75,
         arrow: colour => colour,
     },
     dark: {
         zenith: '#0b131c', horizon: '#2c3d4b', ground: '#1e2723', line: '#61746a', deep: '#0c2735', shallow: '#1d4a5b',
-        foam: '#9fc3cf', trail: '#ff9d7a', wind: '#d5e2ec', shadow: '#04080a', ambient: 0.58, sunlight: 0.34, glitter: 0.25,
+        foam: '#9fc3cf', trail: '#ff9d7a', wind: '#d5e2ec', shadow: '#04080a', ambient: 0.58, sunlight: 0.34, glitter: 0.2, cloud: 0.14,
         arrow: colour => lightened(colour, 0.35),
     },
 };
@@ -32,7 +32,7 @@ function windArrow(run, moment) {
     const speed = Vec.size(moment.windspeed);
     if (speed < 0.02 * run.strongestWind || speed === 0) return null;
     const vector = Vec.scale(moment.windspeed, -1.1 * run.radius / run.strongestWind);
-    const middle = Vec.add(moment.poses[0].position, [0, run.middle[1] + 1.15 * run.radius, 0]);
+    const middle = Vec.add(moment.poses[0].position, [0, run.middle[1] + run.radius, 0]);
     return { name: 'wind', tail: Vec.mad(middle, vector, -0.5), vector, value: `${speed.toFixed(1)} m/s` };
 }
 

@@ -17,7 +17,6 @@ class Player {
         this.stage = new Stage(run, this.changed);
         this.plots = run.panels.map(panel => new Plot(run, panel, time => this.seek(time)));
         $('plots').append(...this.plots.map(plot => plot.element));
-        new ResizeObserver(this.changed).observe($('plots'));
         this.listenToControls();
         this.listenToKeys();
         this.followTheme();
@@ -25,6 +24,8 @@ class Player {
         if (!matchMedia('(prefers-reduced-motion: reduce)').matches) this.play(true);
         this.obey(location.hash);
         window.addEventListener('hashchange', () => this.obey(location.hash));
+        const resized = new ResizeObserver(() => this.show(performance.now()));
+        for (const id of ['stage', 'plots']) resized.observe($(id));
         requestAnimationFrame(now => this.tick(now));
     }
 

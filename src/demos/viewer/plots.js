@@ -64,25 +64,31 @@ class Plot {
         this.element = figure;
     }
 
-    /// A mouse seeks at once; a finger only once it is clear that it doesn't scroll.
+    /// A mouse seeks at once; a finger once it goes sideways, or taps: up and down it scrolls.
     listen(seek) {
         const { canvas, run } = this;
-        let held = false;
+        let from = null, seeking = false;
         const go = event => {
             const across = event.clientX - canvas.getBoundingClientRect().left - margins.left;
             seek(mix(run.start, run.end, clamp(across / (canvas.clientWidth - margins.left - margins.right), 0, 1)));
         };
         canvas.addEventListener('pointerdown', event => {
-            held = true;
+            from = event;
+            seeking = event.pointerType === 'mouse';
             canvas.setPointerCapture(event.pointerId);
-            if (event.pointerType === 'mouse') go(event);
+            if (seeking) go(event);
         });
-        canvas.addEventListener('pointermove', event => { if (held) go(event); });
+        canvas.addEventListener('pointermove', event => {
+            if (!from) return;
+            const dx = Math.abs(event.clientX - from.clientX), dy = Math.abs(event.clientY - from.clientY);
+            seeking = seeking || (dx > 6 && dx > dy);
+            if (seeking) go(event);
+        });
         canvas.addEventListener('pointerup', event => {
-            if (held) go(event);
-            held = false;
+            if (from && (seeking || Math.abs(event.clientY - from.clientY) < 10)) go(event);
+            from = null;
         });
-        canvas.addEventListener('pointercancel', () => { held = false; });
+        canvas.addEventListener('pointercancel', () => { from = null; });
     }
 
     x(time) {

@@ -30,13 +30,29 @@ const shaders = {
                 gl_Position = vec4(at, 1.0, 1.0);
             }`,
         fragment: () => `${shaders.air}
-            uniform vec3 right, up, ahead;
+            uniform vec3 right, up, ahead, foam;
+            uniform float cloud;
             in vec2 at;
             out vec4 colour;
+            float scatter(vec2 cell) {
+                vec3 p = fract(cell.xyx * 0.1031);
+                p += dot(p, p.yzx + 33.33);
+                return fract((p.x + p.y) * p.z);
+            }
+            float noise(vec2 p) {
+                vec2 cell = floor(p), f = fract(p), s = f * f * (3.0 - 2.0 * f);
+                return mix(mix(scatter(cell), scatter(cell + vec2(1, 0)), s.x), mix(scatter(cell + vec2(0, 1)), scatter(cell + vec2(1, 1)), s.x), s.y);
+            }
+            float veil(vec2 p) {  // thin high clouds, to tell up from sideways by
+                float sum = 0.0, share = 0.5;
+                for (int i = 0; i < 5; ++i, share *= 0.5, p = mat2(1.6, 1.2, -1.2, 1.6) * p) sum += share * noise(p);
+                return smoothstep(0.38, 0.78, sum);
+            }
             void main() {
                 vec3 way = normalize(ahead + at.x * right + at.y * up);
                 float glow = pow(max(dot(way, sun), 0.0), 24.0) * 0.12;
-                colour = vec4(sky(way) + glow, 1.0);
+                float white = way.y > 0.01 ? veil(way.xz / (way.y + 0.15) * vec2(2.4, 3.6)) * smoothstep(0.02, 0.35, way.y) * cloud : 0.0;
+                colour = vec4(mix(sky(way) + glow, foam, white), 1.0);
             }`,
     },
 
@@ -101,7 +117,7 @@ const shaders = {
                     mirrored.y = abs(mirrored.y);
                     vec3 body = mix(far, near, clamp(0.5 * facing + 2.2 * (normal.x + normal.z) + 0.15, 0.0, 1.0));
                     base = mix(body, sky(mirrored), 0.03 + 0.85 * pow(1.0 - facing, 4.0));
-                    base += foam * glitter * pow(max(dot(mirrored, sun), 0.0), 90.0);
+                    base += foam * glitter * pow(max(dot(mirrored, sun), 0.0), 260.0);
                     strength = 0.24;
                 }
                 float fine = lines(world.xz, grid.x * 0.1, 0.5) * grid.y;
@@ -128,12 +144,12 @@ const shaders = {
             }`,
         fragment: () => `${shaders.air}
             uniform vec4 ink;  // a colour, and how much of it
-            uniform float ambient, sunlight, opacity;
+            uniform float ambient, sunlight, opacity, thin;  // thin: what shines through from behind
             in vec3 world, normal, tint;
             out vec4 colour;
             void main() {
                 vec3 n = normalize(gl_FrontFacing ? normal : -normal);
-                float light = ambient + 0.08 * n.y + sunlight * max(dot(n, sun), 0.0);
+                float facing = dot(n, sun), light = ambient + 0.08 * n.y + sunlight * max(facing, -thin * facing);
                 vec3 lit = mix(tint * light, ink.rgb * mix(1.0, light, 0.35), ink.a);
                 colour = vec4(haze(lit, world, 1500.0), opacity);
             }`,

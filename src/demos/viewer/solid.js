@@ -145,7 +145,7 @@ class SolidPainter {
         const pixel = 2 * Math.tan(view.fov / 2) / height;
         const shared = {
             viewProjection, eye: view.eye, sun, zenith: rgb(look.zenith), horizon: rgb(look.horizon), ambient: look.ambient,
-            sunlight: look.sunlight, picture: [width, height], opacity: 1, ink: [0, 0, 0, 0], time: moment.time,
+            sunlight: look.sunlight, foam: rgb(look.foam), cloud: look.cloud, picture: [width, height], opacity: 1, ink: [0, 0, 0, 0], time: moment.time,
             waves: run.waves.length ? run.waves.flatMap(w => [...w.k, w.amplitude, w.phase - w.frequency * moment.time]) : [0, 0, 0, 0],
         };
         const matrices = moment.poses.map(Mat.ofPose);
@@ -192,7 +192,7 @@ class SolidPainter {
         gl.polygonOffset(1, 4);
         const [near, far] = run.sea ? [look.shallow, look.deep] : [look.ground, look.ground];
         this.use('surface', {
-            ...shared, near: rgb(near), far: rgb(far), line: rgb(run.sea ? look.foam : look.line), foam: rgb(look.foam), shade: rgb(look.shadow),
+            ...shared, near: rgb(near), far: rgb(far), line: rgb(run.sea ? look.foam : look.line), shade: rgb(look.shadow),
             glitter: look.glitter, grid: [grid.cell, grid.fine], shadow, silhouette: 0, size: Math.max(0.4, 0.3 * run.radius),
             centre: [0, 2].map(axis => (view.eye[axis] + view.target[axis]) / 2),
         });
@@ -206,7 +206,7 @@ class SolidPainter {
         this.use('solid', shared);
         run.parts.forEach((part, index) => {
             if (!part.twoSided) gl.enable(gl.CULL_FACE);
-            this.use('solid', { model: matrices[index] });
+            this.use('solid', { model: matrices[index], thin: part.twoSided ? 0.7 : 0 });
             this.draw(this.parts[index]);
             gl.disable(gl.CULL_FACE);
         });
@@ -230,7 +230,7 @@ class SolidPainter {
     paintArrows(shared, arrows, eye, pixel) {
         const { gl } = this;
         gl.enable(gl.BLEND);
-        this.use('solid', shared);
+        this.use('solid', { ...shared, thin: 0 });
         for (const [test, opacity] of [[gl.GREATER, 0.22], [gl.LESS, 1]]) {
             gl.depthFunc(test);
             gl.depthMask(opacity === 1);

@@ -14,7 +14,6 @@ class Stage {
         this.choosePainter();
         this.names = [...run.arrows, { name: 'wind' }].map(() => this.labels.appendChild(document.createElement('span')));
         this.listen();
-        new ResizeObserver(changed).observe(this.element);
     }
 
     choosePainter() {
