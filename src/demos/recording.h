@@ -43,9 +43,9 @@ struct Event {
     std::string text;
 };
 
-/// A run: its subject, its frames, its events and, once it is over, a summary in words (lines, plain text).
-/// What doesn't fit the subject or isn't finite throws std::invalid_argument and leaves the recording as it
-/// was.
+/// A run: its subject, its frames, its events and, once it is over, a summary in plain lines: "name: value"
+/// becomes a row of a table, any other line a paragraph. What doesn't fit the subject or isn't finite throws
+/// std::invalid_argument and leaves the recording as it was.
 class Recording {
 public:
     /// The subject needs at least one part.

@@ -15,7 +15,7 @@ function sampleRecording() {
         face('#c8553d', [-0.85, 0.1, 0], [-1.15, 0.5, 0], [-1.3, 0.5, 0], [-1.15, 0.1, 0])];
     return {
         title: 'A sample circle', kind: 'workshop', frames, cuts: [], time: times, sea: false, waves: [], newtonsPerMetre: 20,
-        summary: 'Made up by the page, to work on it: open it raw and edit.\nlength: 12 s\nradius: 30 m',
+        summary: 'Made up by the page, so that one can work on it without a recording.\nlength: 12 s\nradius: 30 m',
         events: [{ time: 3, text: 'highest' }, { time: 9, text: 'lowest' }], windspeed: [4, 0, 1],
         parts: [
             { name: 'body', twoSided: false, onBody: false, faces: body, position: [turn.map(a => 30 * Math.sin(a)), height, turn.map(a => -30 * Math.cos(a))],
