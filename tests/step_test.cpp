@@ -387,3 +387,83 @@ TEST(ForcedMotion, ConvergesWithSecondOrder) {
     EXPECT_GE(reference::orderOf(errors), 1.8) << errors[0] << ' ' << errors[1] << ' ' << errors[2];
     expectBelow(errors[0], 1e-2, "error at 1/60 s");
 }
+
+// ---- Blocks
+
+namespace {
+
+/// One of every kind of body that a step treats in its own way.
+RigidBody anyBody(reference::Random &random) {
+    RigidBody body;
+    body.setMass(random.logBetween(0.1, 10));
+    const Matrix3 tensor =
+        diagonal(Vector3(random.logBetween(0.1, 10), random.logBetween(0.1, 10), random.logBetween(0.1, 10)));
+    const Matrix3 tilt = cyclone_test::rotationMatrix(random.orientation());
+    body.setInertiaTensor(random.oneIn(2) ? tensor : tilt * tensor * tilt.transpose());
+    if (random.oneIn(6)) body.setInverseInertiaTensor(cyclone_test::diagonal(1, 0, random.below(2)));
+    if (random.oneIn(6)) body.setInverseMass(0);
+    if (random.oneIn(2)) body.setDamping(0.7, 0.8);
+    body.setPosition(random.vector(10));
+    body.setOrientation(random.orientation());
+    body.setVelocity(random.vector(10));
+    body.setRotation(random.vector(random.oneIn(4) ? 500 : 5));
+    body.setAcceleration(random.oneIn(2) ? Vector3::GRAVITY : Vector3());
+    if (random.oneIn(6)) body.setAwake(false);
+    return body;
+}
+
+}  // namespace
+
+TEST(Blocks, GiveTheBitsOfOneBodyAtATime) {
+    reference::Random random;
+    for (std::size_t count = 0; count <= 40; ++count) {
+        std::vector<RigidBody> together, alone;
+        for (std::size_t n = 0; n < count; ++n) together.push_back(anyBody(random));
+        alone = together;
+        std::vector<RigidBody *> pointers;
+        for (RigidBody &body : together) pointers.push_back(&body);
+        for (int round = 0; round < 20; ++round) {
+            const real h = random.logBetween(1e-3, 0.1);
+            for (std::size_t n = 0; n < count; ++n) {
+                if (!random.oneIn(3)) continue;
+                const Vector3 force = random.vector(10) * (random.oneIn(30) ? cyclone_test::QUIET_NAN : 1);
+                const Vector3 arm = random.vector(1);
+                for (RigidBody *body : {&together[n], &alone[n]}) body->addForceAtBodyPoint(force, arm);
+            }
+            std::size_t faults = 0;
+            for (RigidBody &body : alone)
+                if (!body.integrate(h)) ++faults;
+            ASSERT_EQ(RigidBody::integrate(pointers.data(), count, h), faults);
+            for (std::size_t n = 0; n < count; ++n) {
+                const RigidBody &a = together[n], &b = alone[n];
+                ASSERT_EQ(a.getAwake(), b.getAwake());
+                ASSERT_EQ(a.hasFaulted(), b.hasFaulted());
+                ASSERT_TRUE(a.getTransform() == b.getTransform() &&
+                            a.getOrientation() == b.getOrientation() && a.getVelocity() == b.getVelocity() &&
+                            a.getRotation() == b.getRotation() &&
+                            a.getAngularMomentum() == b.getAngularMomentum() &&
+                            a.getLastFrameAcceleration() == b.getLastFrameAcceleration())
+                    << "body " << n << " of " << count;
+            }
+        }
+    }
+}
+
+TEST(Blocks, PassSleepersAndFaultsBy) {
+    std::vector<RigidBody> bodies(20);
+    std::vector<RigidBody *> pointers;
+    for (RigidBody &body : bodies) {
+        body.setVelocity(1, 2, 3);
+        pointers.push_back(&body);
+    }
+    bodies[3].addForce(Vector3(cyclone_test::QUIET_NAN, 0, 0));
+    bodies[11].setAwake(false);
+    bodies[17].addTorque(Vector3(0, cyclone_test::PLUS_INFINITY, 0));
+    EXPECT_EQ(RigidBody::integrate(pointers.data(), pointers.size(), 0.5), 2u);
+    for (std::size_t n = 0; n < bodies.size(); ++n) {
+        const bool advanced = n != 3 && n != 11 && n != 17;
+        EXPECT_EQ(bodies[n].getPosition(), advanced ? Vector3(0.5, 1, 1.5) : Vector3()) << n;
+        EXPECT_EQ(bodies[n].hasFaulted(), n == 3 || n == 17) << n;
+    }
+    EXPECT_EQ(RigidBody::integrate(nullptr, 0, 1), 0u);
+}

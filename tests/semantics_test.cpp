@@ -1,0 +1,430 @@
+// What a game relies on, whatever the step's mathematics.
+#include <cyclone/cyclone.h>
+
+#include "reference.h"
+
+using namespace cyclone;
+using cyclone_test::diagonal;
+using cyclone_test::isNear;
+using cyclone_test::PLUS_INFINITY;
+using cyclone_test::QUIET_NAN;
+
+namespace {
+
+constexpr real STEP = 1.0 / 60;
+
+/// Pulls a body to the origin and upright, with friction.
+class Pull : public ForceGenerator {
+public:
+    static Vector3 force(const RigidBody &body) {
+        return body.getPosition() * -8 + body.getVelocity() * -0.5 + Vector3(1, 2, 3);
+    }
+    static Vector3 torque(const RigidBody &body) {
+        return (body.getDirectionInWorldSpace(Vector3::Y) % Vector3::Y) * 4 + body.getRotation() * -0.3;
+    }
+    void updateForce(RigidBody *body, real) override {
+        body->addForce(force(*body));
+        body->addTorque(torque(*body));
+    }
+};
+
+/// Adds what it is told.
+class Push : public ForceGenerator {
+public:
+    Vector3 force, torque;
+    void updateForce(RigidBody *body, real) override {
+        body->addForce(force);
+        body->addTorque(torque);
+    }
+};
+
+/// A body that a generator has been acting on for a while.
+struct Scene {
+    World world;
+    RigidBody body;
+    Pull pull;
+
+    Scene() {
+        body.setMass(2);
+        body.setInertiaTensor(diagonal(0.3, 0.5, 0.4));
+        body.setAcceleration(Vector3::GRAVITY);
+        body.setPosition(1, -2, 0.5);
+        body.setVelocity(3, 1, -2);
+        body.setRotation(0.5, -0.7, 1.1);
+        world.addBody(&body);
+        registry().add(&body, &pull);
+        for (int n = 0; n < 30; ++n) frame();
+    }
+    ForceRegistry &registry() { return world.getForceRegistry(); }
+
+    void frame(real duration = STEP) {
+        world.startFrame();
+        world.runPhysics(duration);
+    }
+    /// Runs a frame in which `pulls` generators act; nothing but the forces at its start may change the
+    /// motion.
+    void expectNoEcho(int pulls, const std::string &after) {
+        const Vector3 acceleration =
+            body.getAcceleration() + Pull::force(body) * (pulls * body.getInverseMass());
+        const Vector3 velocity = body.getVelocity() + acceleration * STEP;
+        const Vector3 momentum = body.getAngularMomentum() + Pull::torque(body) * (pulls * STEP);
+        frame();
+        EXPECT_TRUE(isNear(body.getVelocity(), velocity, 1e-14)) << after;
+        EXPECT_TRUE(isNear(body.getAngularMomentum(), momentum, 1e-14)) << after;
+    }
+};
+
+/// To the last bit.
+bool isSameMotion(const RigidBody &a, const RigidBody &b) {
+    return a.getTransform() == b.getTransform() && a.getOrientation() == b.getOrientation() &&
+           a.getVelocity() == b.getVelocity() && a.getRotation() == b.getRotation() &&
+           a.getAngularMomentum() == b.getAngularMomentum();
+}
+
+}  // namespace
+
+// ---- A force of one frame
+
+TEST(ForceOfOneFrame, ChangesVelocityAtOnceAndForGood) {
+    reference::Random random;
+    for (int trial = 0; trial < 100; ++trial) {
+        RigidBody body;
+        const real mass = random.logBetween(0.01, 100), h = random.logBetween(1e-4, 0.5);
+        const Vector3 force = random.vector(10), torque = random.vector(10), velocity = random.vector(10);
+        body.setMass(mass);
+        body.setVelocity(velocity);
+        body.addForce(force);
+        body.addTorque(torque);
+        const Vector3 expected = velocity + force * (h / mass);
+        for (int n = 0; n < 4; ++n) {
+            body.integrate(h);
+            ASSERT_TRUE(isNear(body.getVelocity(), expected, 1e-15 * (10 + expected.magnitude())));
+            ASSERT_TRUE(isNear(body.getAngularMomentum(), torque * h, 1e-14));
+        }
+    }
+}
+
+TEST(ForceOfOneFrame, CountsTheSameBesideGenerators) {
+    // The generator's push changes with time alone, so that the difference stays what it was.
+    const Vector3 force(30, -20, 10), torque(-1, 3, 2);
+    World world;
+    RigidBody plain, kicked;
+    Push push;
+    for (RigidBody *body : {&plain, &kicked}) {
+        body->setMass(2);
+        world.addBody(body);
+        world.getForceRegistry().add(body, &push);
+    }
+    for (int n = 0; n < 60; ++n) {
+        push.force = Vector3(std::sin(0.1 * n), 2, std::cos(0.2 * n));
+        push.torque = Vector3(1, std::sin(0.3 * n), 0);
+        world.startFrame();
+        if (n == 20) {
+            kicked.addForce(force);
+            kicked.addTorque(torque);
+        }
+        world.runPhysics(STEP);
+        const bool done = n >= 20;
+        ASSERT_TRUE(isNear(kicked.getVelocity() - plain.getVelocity(), force * (done * STEP / 2), 1e-14))
+            << n;
+        ASSERT_TRUE(
+            isNear(kicked.getAngularMomentum() - plain.getAngularMomentum(), torque * (done * STEP), 1e-14))
+            << n;
+    }
+}
+
+TEST(ForceOfOneFrame, HasNoEchoWhereForcesDependOnTheMotion) {
+    Scene plain, kicked;
+    const Vector3 force(60, -30, 90), torque(-3, 1, 2);
+    kicked.world.startFrame();
+    kicked.body.addForce(force);
+    kicked.body.addTorque(torque);
+    kicked.world.runPhysics(STEP);
+    plain.frame();
+    const auto gain = [&] { return kicked.body.getVelocity() - plain.body.getVelocity(); };
+    const auto twist = [&] { return kicked.body.getAngularMomentum() - plain.body.getAngularMomentum(); };
+    EXPECT_TRUE(isNear(gain(), force * (STEP / 2), 1e-14));
+    EXPECT_TRUE(isNear(twist(), torque * STEP, 1e-14));
+    for (int n = 0; n < 2; ++n) {
+        kicked.frame();
+        plain.frame();
+        EXPECT_LT((gain() - force * (STEP / 2)).magnitude(), 0.03 * gain().magnitude());
+        EXPECT_LT((twist() - torque * STEP).magnitude(), 0.05 * twist().magnitude());
+    }
+}
+
+TEST(ForceOfOneFrame, FromAnotherBodysGeneratorCountsPlainly) {
+    /// Passes the reaction of what it does on to another body.
+    class Recoil : public ForceGenerator {
+    public:
+        RigidBody *gun = nullptr;
+        Vector3 force;
+        void updateForce(RigidBody *body, real) override {
+            body->addForce(force);
+            gun->addForce(-force);
+        }
+    };
+    World world;
+    RigidBody shot, gun;
+    Recoil recoil;
+    recoil.gun = &gun;
+    world.addBody(&shot);
+    world.addBody(&gun);
+    world.getForceRegistry().add(&shot, &recoil);
+    Vector3 sum;
+    for (int n = 0; n < 10; ++n) {
+        recoil.force = Vector3(n * n, 3, -n);
+        sum += recoil.force;
+        world.startFrame();
+        world.runPhysics(STEP);
+        ASSERT_TRUE(isNear(gun.getVelocity(), sum * -STEP, 1e-13));
+    }
+}
+
+// ---- No echo
+
+TEST(Echo, IsWhatAnUndisturbedBodyHas) {
+    // The step mends the end of the last one; without this the tests below could not fail.
+    Scene scene;
+    reference::Random random;
+    real last = STEP;
+    for (int n = 0; n < 20; ++n) {
+        RigidBody &body = scene.body;
+        const real h = random.between(0.002, 0.03);
+        const Vector3 before = Pull::force(body), twistBefore = Pull::torque(body);
+        scene.frame(last);
+        const Vector3 mend = (Pull::force(body) - before) * (last / 2);
+        const Vector3 twistMend = (Pull::torque(body) - twistBefore) * (last / 2);
+        EXPECT_GT(mend.magnitude() + twistMend.magnitude(), 1e-5);
+        const Vector3 velocity =
+            body.getVelocity() + (mend + Pull::force(body) * h) * 0.5 + Vector3::GRAVITY * h;
+        const Vector3 momentum = body.getAngularMomentum() + twistMend + Pull::torque(body) * h;
+        scene.frame(h);
+        ASSERT_TRUE(isNear(body.getVelocity(), velocity, 1e-14));
+        ASSERT_TRUE(isNear(body.getAngularMomentum(), momentum, 1e-14));
+        last = h;
+    }
+}
+
+TEST(Echo, IsNotLeftByWhatTheGameChanges) {
+    struct Change {
+        const char *name;
+        int pulls;  // that act afterwards
+        std::function<void(Scene &)> make;
+    };
+    const Vector3 v(1, 2, 3);
+    const Matrix3 tensor = diagonal(0.7, 0.2, 0.6);
+    Pull second;
+    const Change changes[] = {
+        {"setVelocity", 1, [&](Scene &s) { s.body.setVelocity(v); }},
+        {"addVelocity", 1, [&](Scene &s) { s.body.addVelocity(v); }},
+        {"setRotation", 1, [&](Scene &s) { s.body.setRotation(v); }},
+        {"addRotation", 1, [&](Scene &s) { s.body.addRotation(v); }},
+        {"setPosition", 1, [&](Scene &s) { s.body.setPosition(v); }},
+        {"setOrientation", 1, [&](Scene &s) { s.body.setOrientation(0.5, 0.5, -0.5, 0.5); }},
+        {"setMass", 1, [&](Scene &s) { s.body.setMass(0.7); }},
+        {"setInverseMass", 1, [&](Scene &s) { s.body.setInverseMass(0.7); }},
+        {"setInertiaTensor", 1, [&](Scene &s) { s.body.setInertiaTensor(tensor); }},
+        {"setInverseInertiaTensor", 1, [&](Scene &s) { s.body.setInverseInertiaTensor(tensor); }},
+        {"adding a generator", 2, [&](Scene &s) { s.registry().add(&s.body, &second); }},
+        {"removing the generator", 0, [&](Scene &s) { s.registry().remove(&s.body, &s.pull); }},
+        {"removing all its generators", 0, [&](Scene &s) { s.registry().remove(&s.body); }},
+        {"removing one of two", 1,
+         [&](Scene &s) {
+             s.registry().add(&s.body, &second);
+             for (int n = 0; n < 10; ++n) s.frame();
+             s.registry().remove(&s.body, &second);
+         }},
+        {"clearing the registry", 0, [&](Scene &s) { s.registry().clear(); }},
+        {"clearing and adding again", 1,
+         [&](Scene &s) {
+             s.registry().clear();
+             s.registry().add(&s.body, &s.pull);
+         }},
+        {"leaving and entering the world", 1,
+         [&](Scene &s) {
+             s.world.removeBody(&s.body);
+             s.world.addBody(&s.body);
+             s.registry().add(&s.body, &s.pull);
+         }},
+        {"sleep and waking", 1,
+         [&](Scene &s) {
+             s.body.setAwake(false);
+             s.body.setAwake();
+         }},
+        {"sleep and waking by the generator", 1, [&](Scene &s) { s.body.setAwake(false); }},
+        {"a fault and waking", 1,
+         [&](Scene &s) {
+             s.world.startFrame();
+             s.body.addForce(Vector3(QUIET_NAN, 0, 0));
+             s.world.runPhysics(STEP);
+             s.body.setAwake();
+         }},
+        {"a frame without the registry", 1, [&](Scene &s) { s.world.integrate(STEP); }},
+    };
+    for (const Change &change : changes) {
+        Scene scene;
+        change.make(scene);
+        scene.expectNoEcho(change.pulls, change.name);
+    }
+}
+
+TEST(Echo, IsNotLeftByANewConstantAcceleration) {
+    RigidBody body;
+    for (const Vector3 &acceleration : {Vector3(1, 2, 3), Vector3(-9, 0, 0), Vector3()}) {
+        const Vector3 velocity = body.getVelocity();
+        body.setAcceleration(acceleration);
+        body.integrate(STEP);
+        EXPECT_TRUE(isNear(body.getVelocity(), velocity + acceleration * STEP, 1e-15));
+    }
+}
+
+TEST(Impulse, ActsAtOnce) {
+    RigidBody body;
+    body.setInertiaTensor(diagonal(2, 3, 4));
+    body.setVelocity(1, 0, 0);
+    body.setRotation(0, 1, 0);
+    body.addVelocity(Vector3(1, 2, 3));
+    body.addRotation(Vector3(-1, 1, 2));
+    EXPECT_EQ(body.getVelocity(), Vector3(2, 2, 3));
+    EXPECT_EQ(body.getRotation(), Vector3(-1, 2, 2));
+    EXPECT_EQ(body.getAngularMomentum(), Vector3(-2, 6, 8));
+    body.integrate(STEP);
+    EXPECT_EQ(body.getVelocity(), Vector3(2, 2, 3));
+    EXPECT_EQ(body.getAngularMomentum(), Vector3(-2, 6, 8));
+}
+
+TEST(RestoredState, RunsToTheSameBits) {
+    Scene scene;
+    const RigidBody::State saved = scene.body.getState();
+    for (int n = 0; n < 50; ++n) scene.frame();
+    const RigidBody first = scene.body;
+    scene.body.setState(saved);
+    for (int n = 0; n < 50; ++n) scene.frame();
+    EXPECT_TRUE(isSameMotion(scene.body, first));
+}
+
+// ---- Durations
+
+TEST(ZeroDuration, DoesNothing) {
+    Scene paused, plain;
+    for (Scene *scene : {&paused, &plain}) {
+        scene->body.setDamping(0.3, 0.4);
+        for (int n = 0; n < 5; ++n) scene->frame();
+    }
+    const RigidBody before = paused.body;
+    for (int n = 0; n < 3; ++n) paused.frame(0);
+    EXPECT_TRUE(isSameMotion(paused.body, before));
+    for (int n = 0; n < 5; ++n) {
+        paused.frame();
+        plain.frame();
+    }
+    EXPECT_TRUE(isSameMotion(paused.body, plain.body));
+}
+
+TEST(ZeroDuration, DoesNothingAfterTheDampingIsSet) {
+    RigidBody body;
+    body.setVelocity(1, 2, 3);
+    body.setRotation(3, 2, 1);
+    body.setDamping(0.5, 0.5);
+    body.integrate(0.1);
+    body.setDamping(0.9, 0.9);
+    const RigidBody before = body;
+    body.integrate(0);
+    EXPECT_TRUE(isSameMotion(body, before));
+}
+
+TEST(Damping, LeavesTheSameForAnySplitOfTheSecond) {
+    reference::Random random;
+    for (const real damping : {0.9, 0.5, 1e-3, 1.0}) {
+        RigidBody body;
+        body.setInertiaTensor(diagonal(2, 2, 2));
+        body.setDamping(damping, damping / 2);
+        body.setVelocity(1, -2, 3);
+        body.setRotation(-3, 1, 2);
+        const int steps = 1 + random.below(200);
+        real left = 1;
+        for (int n = 1; n < steps; ++n) {
+            const real h = random.between(0, 2 * left / (steps - n + 1));
+            body.integrate(h);
+            left -= h;
+        }
+        body.integrate(left);
+        EXPECT_TRUE(isNear(body.getVelocity(), Vector3(1, -2, 3) * damping, 1e-12 * damping)) << steps;
+        EXPECT_TRUE(isNear(body.getRotation(), Vector3(-3, 1, 2) * (damping / 2), 1e-12 * damping)) << steps;
+    }
+}
+
+TEST(Damping, OfZeroStopsAtOnce) {
+    RigidBody body;
+    body.setDamping(0, 0);
+    body.setVelocity(1, 2, 3);
+    body.setRotation(1, 2, 3);
+    EXPECT_TRUE(body.integrate(STEP));
+    EXPECT_EQ(body.getVelocity(), Vector3());
+    EXPECT_EQ(body.getRotation(), Vector3());
+    EXPECT_EQ(body.getPosition(), Vector3());
+}
+
+// ---- Faults
+
+TEST(Fault, KeepsTheStateExactly) {
+    const Vector3 poisons[] = {Vector3(QUIET_NAN, 0, 0), Vector3(0, PLUS_INFINITY, 0),
+                               Vector3(0, 0, -PLUS_INFINITY), Vector3(REAL_MAX, 0, 0)};
+    for (const Matrix3 &inverseTensor : {diagonal(3, 4, 2), diagonal(3, 0, 2)})
+        for (const Vector3 &poison : poisons)
+            for (const bool asTorque : {false, true}) {
+                RigidBody body;
+                body.setMass(1e-3);
+                body.setInverseInertiaTensor(inverseTensor);
+                body.setVelocity(1, 2, 3);
+                body.setRotation(3, 2, 1);
+                body.integrate(STEP);
+                const RigidBody before = body;
+                asTorque ? body.addTorque(poison * 1000) : body.addForce(poison);
+                EXPECT_FALSE(body.integrate(1000));
+                EXPECT_TRUE(isSameMotion(body, before));
+                EXPECT_FALSE(body.getAwake());
+                EXPECT_TRUE(body.hasFaulted());
+                EXPECT_TRUE(body.integrate(STEP)) << "asleep";
+                EXPECT_TRUE(isSameMotion(body, before));
+            }
+}
+
+TEST(Fault, IsOverWhenTheBodyIsWoken) {
+    RigidBody body, sound;
+    for (RigidBody *each : {&body, &sound}) {
+        each->setInertiaTensor(diagonal(1, 2, 3));
+        each->setVelocity(1, 2, 3);
+        each->setRotation(3, 2, 1);
+    }
+    body.addForceAtBodyPoint(Vector3(QUIET_NAN, 1, 2), Vector3(1, 1, 1));
+    EXPECT_FALSE(body.integrate(STEP));
+    body.setAwake();
+    EXPECT_FALSE(body.hasFaulted());
+    for (int n = 0; n < 10; ++n) {
+        EXPECT_TRUE(body.integrate(STEP));
+        sound.integrate(STEP);
+    }
+    EXPECT_TRUE(isSameMotion(body, sound));
+}
+
+TEST(Fault, OfAGeneratorIsNotRememberedByAnImmovableBody) {
+    World world;
+    RigidBody body;
+    Push push;
+    push.force = push.torque = Vector3(QUIET_NAN, PLUS_INFINITY, 0);
+    body.setInverseMass(0);
+    world.addBody(&body);
+    world.getForceRegistry().add(&body, &push);
+    world.startFrame();
+    world.runPhysics(STEP);
+    EXPECT_FALSE(body.hasFaulted()) << "no force moves it";
+    world.getForceRegistry().clear();
+    body.setMass(1);
+    body.setAcceleration(1, 0, 0);
+    world.startFrame();
+    world.runPhysics(STEP);
+    EXPECT_FALSE(body.hasFaulted());
+    EXPECT_TRUE(isNear(body.getVelocity(), Vector3(STEP, 0, 0), 1e-16));
+}
