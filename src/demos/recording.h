@@ -7,6 +7,7 @@
 #include "scene.h"
 
 #include <iosfwd>
+#include <utility>
 
 namespace demo {
 
