@@ -16,13 +16,6 @@ Aero::Aero(const Matrix3 &a, const Vector3 &p, const Vector3 *wind)
     requireSurface(a, p, "Aero::Aero");
 }
 
-Vector3 Aero::getForce(const RigidBody &body) const {
-    Vector3 flow = body.getVelocity();
-    if (windspeed != nullptr) flow += *windspeed;
-    if (rotationalFlow) flow += body.getRotation() % body.getDirectionInWorldSpace(position);
-    return body.getDirectionInWorldSpace(tensor * body.getDirectionInLocalSpace(flow));
-}
-
 void Aero::updateForce(RigidBody *body, real) { body->addForceAtBodyPoint(getForce(*body), position); }
 
 AeroControl::AeroControl(const Matrix3 &atZero, const Matrix3 &atMinusOne, const Matrix3 &atOne,

@@ -1,4 +1,5 @@
 #include <cyclone/body.h>
+#include <cyclone/prefetch.h>
 #include <cyclone/step.h>
 
 #include <algorithm>
@@ -65,11 +66,11 @@ void RigidBody::setPrincipalInertia(const Matrix3 &tensor, bool isInverse, const
     findPrincipalAxes((tensor + tensor.transpose()) * 0.5, values, axes);
     const real rounding = 16 * REAL_EPSILON * std::max({values.x, values.y, values.z});
     if (isInverse) {
-        requireMatrix(std::min({values.x, values.y, values.z}) >= -rounding, function,
-                      "no principal value may be negative", tensor);
-        if (axes != Quaternion())
-            for (unsigned axis = 0; axis < 3; ++axis)
-                if (values[axis] <= rounding) values[axis] = 0;
+        requireMatrix(std::min({values.x, values.y, values.z}) >= (axes == Quaternion() ? 0 : -rounding),
+                      function, "no principal value may be negative", tensor);
+        const real least = axes == Quaternion() ? 0 : rounding;
+        for (unsigned axis = 0; axis < 3; ++axis)
+            if (values[axis] <= least || !real_isfinite(1 / values[axis])) values[axis] = 0;
     } else {
         requireMatrix(std::min({values.x, values.y, values.z}) > rounding && reciprocals(values).isFinite(),
                       function, "the tensor must be positive definite", tensor);
@@ -82,7 +83,6 @@ void RigidBody::setPrincipalInertia(const Matrix3 &tensor, bool isInverse, const
 
 void RigidBody::setPrincipalFrame(const Vector3 &inverseMoments, const Quaternion &axes) {
     inverseInertia = inverseMoments;
-    hasLockedAxis = inverseInertia.x == 0 || inverseInertia.y == 0 || inverseInertia.z == 0;
     middleAxis = axisOfMiddleValue(inverseInertia);
     principalAxes = axes;
     hasPrincipalAxes = axes != Quaternion();
@@ -97,7 +97,7 @@ void RigidBody::setInverseInertiaTensor(const Matrix3 &inverseInertiaTensor) {
 }
 
 Matrix3 RigidBody::getInertiaTensor() const {
-    requireVector(!hasLockedAxis, "RigidBody::getInertiaTensor", "no axis may be locked", inverseInertia);
+    requireVector(!hasLockedAxis(), "RigidBody::getInertiaTensor", "no axis may be locked", inverseInertia);
     return tensorInFrame(rotationMatrix(principalAxes), inertia);
 }
 
@@ -106,7 +106,7 @@ Matrix3 RigidBody::getInverseInertiaTensor() const {
 }
 
 Matrix3 RigidBody::getInertiaTensorWorld() const {
-    requireVector(!hasLockedAxis, "RigidBody::getInertiaTensorWorld", "no axis may be locked",
+    requireVector(!hasLockedAxis(), "RigidBody::getInertiaTensorWorld", "no axis may be locked",
                   inverseInertia);
     return tensorInFrame(getPrincipalAxesInWorld(), inertia);
 }
@@ -197,6 +197,18 @@ void RigidBody::setRotation(const Vector3 &radiansPerSecond) {
     setMomentumFromRotation();
 }
 
+void RigidBody::addVelocity(const Vector3 &change) {
+    requireVector((velocity + change).isFinite(), "RigidBody::addVelocity", "the change must be finite",
+                  change);
+    setVelocity(velocity + change);
+}
+
+void RigidBody::addRotation(const Vector3 &change) {
+    requireVector((rotation + change).isFinite(), "RigidBody::addRotation", "the change must be finite",
+                  change);
+    setRotation(rotation + change);
+}
+
 void RigidBody::setAcceleration(const Vector3 &metresPerSecondSquared) {
     requireVector(metresPerSecondSquared.isFinite(), "RigidBody::setAcceleration",
                   "the acceleration must be finite", metresPerSecondSquared);
@@ -208,7 +220,8 @@ void RigidBody::calculateDerivedData() { transform.setOrientationAndPos(orientat
 // ---- Forces and sleep
 
 void RigidBody::dropLoads() {
-    generated = added = Load();
+    if (isGenerated) generated = Load();
+    if (hasAdded) added = Load();
     hasAdded = isGenerated = inGenerator = false;
 }
 
@@ -299,10 +312,6 @@ bool isUnit(const Quaternion &q) { return real_abs(q.squareMagnitude() - 1) < 1e
 
 bool isNotNegative(real value) { return value >= 0 && value <= REAL_MAX; }
 
-bool isNotNegative(const Vector3 &v) {
-    return isNotNegative(v.x) && isNotNegative(v.y) && isNotNegative(v.z);
-}
-
 bool isDamping(real value) { return value >= 0 && value <= 1; }
 
 }  // namespace
@@ -318,8 +327,12 @@ const char *RigidBody::State::findError() const {
     if (!isNotNegative(lastDuration)) return "the last step's duration must be finite and not negative";
     if (!(mass > 0 && isNotNegative(mass))) return "the mass must be positive and finite";
     if (!isNotNegative(inverseMass)) return "the inverse mass must be finite and not negative";
-    if (!(inertia.x > 0 && inertia.y > 0 && inertia.z > 0)) return "the moments of inertia must be positive";
-    if (!isNotNegative(inverseInertia)) return "the inverse moments must be finite and not negative";
+    for (unsigned axis = 0; axis < 3; ++axis) {
+        const real moment = inertia[axis], inverse = inverseInertia[axis];
+        if (!isNotNegative(inverse)) return "the inverse moments of inertia must be finite and not negative";
+        if (!(inverse == 0 ? moment > 0 : real_abs(moment * inverse - 1) < 1e-9))
+            return "the moments of inertia must be positive and match their inverses";
+    }
     if (!isUnit(principalAxes)) return "the principal axes must be a unit quaternion";
     if (!isDamping(linearDamping) || !isDamping(angularDamping)) return "the damping must be between 0 and 1";
     if (!isNotNegative(motion)) return "the motion must be finite and not negative";
@@ -380,8 +393,10 @@ std::size_t RigidBody::integrate(RigidBody *const *bodies, std::size_t count, re
     require(duration >= 0 && duration <= REAL_MAX, "RigidBody::integrate",
             "the duration must be finite and not negative", {duration});
     StepBlock block(duration);
-    for (std::size_t n = 0; n < count; ++n)
+    for (std::size_t n = 0; n < count; ++n) {
+        if (n + FETCH_AHEAD < count) fetch(bodies[n + FETCH_AHEAD], offsetof(RigidBody, added));
         if (bodies[n]->awake) block.add(*bodies[n]);
+    }
     return block.finish();
 }
 

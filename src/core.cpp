@@ -20,6 +20,11 @@ void Vector3::normalise() {
     *this *= 1 / magnitude();
 }
 
+void Vector3::trim(real size) {
+    const Vector3 direction = unit();
+    if (*this * direction > size) *this = direction * size;
+}
+
 Quaternion Quaternion::fromAxisAngle(const Vector3 &axis, real angle) {
     const Vector3 direction = axis.unit();
     if (direction == Vector3()) return Quaternion();
@@ -86,14 +91,23 @@ Matrix3 Matrix3::operator+(const Matrix3 &m) const {
 }
 
 bool Matrix3::setInverse(const Matrix3 &m) {
-    const Vector3 a = m.getRowVector(0), b = m.getRowVector(1), c = m.getRowVector(2);
-    const real determinant = m.getDeterminant();
+    real largest = 0;
+    for (real entry : m.data) largest = std::max(largest, real_abs(entry));
+    if (!m.isFinite() || largest == 0) return false;
+
+    // Scaled to entries of at most 1, no product below overflows, and what underflows would not count.
+    const auto scaledRow = [&m, largest](unsigned n) {
+        const Vector3 row = m.getRowVector(n);
+        return Vector3(row.x / largest, row.y / largest, row.z / largest);
+    };
+    const Vector3 a = scaledRow(0), b = scaledRow(1), c = scaledRow(2);
+    const real determinant = a * (b % c);
     const real products = real_abs(a.x) * (real_abs(b.y * c.z) + real_abs(b.z * c.y)) +
                           real_abs(a.y) * (real_abs(b.z * c.x) + real_abs(b.x * c.z)) +
                           real_abs(a.z) * (real_abs(b.x * c.y) + real_abs(b.y * c.x));
     if (!(real_abs(determinant) > 8 * REAL_EPSILON * products)) return false;
 
-    const real scale = 1 / determinant;
+    const real scale = 1 / determinant / largest;
     const Matrix3 result(b % c * scale, c % a * scale, a % b * scale);
     if (!result.isFinite()) return false;
     *this = result;
@@ -183,7 +197,7 @@ namespace {
 /// ±45°.
 Quaternion jacobiRotation(const Matrix3 &m, unsigned axis) {
     const unsigned p = (axis + 1) % 3, q = (axis + 2) % 3;
-    const real offDiagonal = m.data[3 * p + q];
+    const real offDiagonal = p < q ? m.data[3 * p + q] : m.data[3 * q + p];
     const real theta = (m.data[4 * q] - m.data[4 * p]) / (2 * offDiagonal);
     const real tangent = (theta < 0 ? -1.0 : 1.0) / (real_abs(theta) + real_sqrt(theta * theta + 1));
     const real cosine = 1 / real_sqrt(tangent * tangent + 1);

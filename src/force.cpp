@@ -1,5 +1,6 @@
 #include <cyclone/force.h>
 #include <cyclone/jobs.h>
+#include <cyclone/prefetch.h>
 
 #include <algorithm>
 #include <functional>
@@ -21,6 +22,7 @@ void ForceRegistry::add(RigidBody *body, ForceGenerator *generator) {
 
 void ForceRegistry::remove(RigidBody *body, ForceGenerator *generator) {
     requireNonNull(body, "ForceRegistry::remove", "the body must not be null");
+    requireNonNull(generator, "ForceRegistry::remove", "the generator must not be null");
     for (std::size_t n = 0; n < registrations.size(); ++n)
         if (registrations[n].body == body && registrations[n].generator == generator) return erase(n);
 }
@@ -79,7 +81,16 @@ private:
 void ForceRegistry::updateForces(real duration) {
     const Update update(*this, duration);
     const std::size_t count = registrations.size();
-    for (std::size_t n = 0; n < count; ++n) callGenerator(n, duration);
+    for (std::size_t n = 0; n < count; ++n) {
+        if (n + FETCH_AHEAD < count) fetchFor(registrations[n + FETCH_AHEAD]);
+        callGenerator(n, duration);
+    }
+}
+
+/// Most generators fit into two cache lines and read a body's transform, velocity and rotation.
+void ForceRegistry::fetchFor(const Registration &registration) {
+    fetch(registration.body, offsetof(RigidBody, orientation));
+    fetch(registration.generator, 128);
 }
 
 void ForceRegistry::callGenerator(std::size_t index, real duration) {
@@ -110,8 +121,11 @@ public:
 
     void run(std::size_t part) override {
         const std::size_t end = boundary(part + 1);
-        for (std::size_t n = boundary(part); n < end; ++n)
+        for (std::size_t n = boundary(part); n < end; ++n) {
+            if (n + FETCH_AHEAD < end)
+                fetchFor(registry.registrations[registry.schedule[n + FETCH_AHEAD].index]);
             registry.callGenerator(registry.schedule[n].index, duration);
+        }
     }
 
 private:

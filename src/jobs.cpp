@@ -14,9 +14,7 @@ namespace cyclone {
 /// The threads and what they share. A new task is announced by counting up; every thread looks at every task.
 class Workers::Crew {
 public:
-    explicit Crew(std::size_t helpers) {
-        for (std::size_t n = 0; n < helpers; ++n) threads.emplace_back([this] { waitAndWork(); });
-    }
+    Crew() = default;
     ~Crew() {
         {
             const std::lock_guard<std::mutex> lock(mutex);
@@ -24,6 +22,11 @@ public:
         }
         announcement.notify_all();
         for (std::thread &thread : threads) thread.join();
+    }
+    /// If the system refuses a thread, those that exist end with the crew.
+    void start(std::size_t helpers) {
+        threads.reserve(helpers);
+        for (std::size_t n = 0; n < helpers; ++n) threads.emplace_back([this] { waitAndWork(); });
     }
     Crew(const Crew &) = delete;
     Crew &operator=(const Crew &) = delete;
@@ -97,10 +100,17 @@ private:
     std::vector<std::thread> threads;
 };
 
+namespace {
+
+constexpr std::size_t MAX_THREADS = 256;
+
+}  // namespace
+
 Workers::Workers(std::size_t threadCount) {
-    require(threadCount >= 1, "Workers::Workers", "there must be at least one thread",
-            {static_cast<real>(threadCount)});
-    crew = std::make_unique<Crew>(threadCount - 1);
+    require(threadCount >= 1 && threadCount <= MAX_THREADS, "Workers::Workers",
+            "the number of threads must be between 1 and 256", {static_cast<real>(threadCount)});
+    crew = std::make_unique<Crew>();
+    crew->start(threadCount - 1);
 }
 
 Workers::~Workers() = default;

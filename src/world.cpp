@@ -85,7 +85,17 @@ void World::startFrame() {
     for (RigidBody *body : bodies) body->clearAccumulators();
 }
 
+namespace {
+
+void requireDuration(real duration, const char *function) {
+    require(duration >= 0 && duration <= REAL_MAX, function, "the duration must be finite and not negative",
+            {duration});
+}
+
+}  // namespace
+
 void World::runPhysics(real duration) {
+    requireDuration(duration, "World::runPhysics");
     if (jobs != nullptr)
         registry.updateForces(duration, *jobs);
     else
@@ -114,8 +124,7 @@ private:
 };
 
 void World::integrate(real duration) {
-    require(duration >= 0 && duration <= REAL_MAX, "World::integrate",
-            "the duration must be finite and not negative", {duration});
+    requireDuration(duration, "World::integrate");
     Advance advance(bodies, duration);
     const std::size_t parts = (bodies.size() + Advance::SIZE - 1) / Advance::SIZE;
     if (jobs != nullptr)
@@ -146,10 +155,9 @@ std::uint64_t World::hash() const { return hashStates(bodies.data(), bodies.size
 // ---- Threads
 
 void World::setWorkers(std::size_t threadCount) {
-    jobs = nullptr;
-    workers.reset();
-    if (threadCount < 2) return;
-    workers = std::make_unique<Workers>(threadCount);
+    std::unique_ptr<Workers> crew;
+    if (threadCount > 1) crew = std::make_unique<Workers>(threadCount);
+    workers = std::move(crew);
     jobs = workers.get();
 }
 

@@ -29,7 +29,12 @@ public:
     Vector3 getPosition() const { return position; }
 
     /// The force on the body as it moves now, N, world coordinates.
-    Vector3 getForce(const RigidBody &body) const;
+    Vector3 getForce(const RigidBody &body) const {
+        Vector3 flow = body.getVelocity();
+        if (windspeed != nullptr) flow += *windspeed;
+        if (rotationalFlow) flow += body.getRotation() % body.getDirectionInWorldSpace(position);
+        return body.getDirectionInWorldSpace(tensor * body.getDirectionInLocalSpace(flow));
+    }
 
     void updateForce(RigidBody *body, real duration) override;
     bool actsOnItsBodyOnly() const override { return true; }

@@ -75,8 +75,8 @@ public:
     void setRotation(real x, real y, real z) { setRotation(Vector3(x, y, z)); }
     Vector3 getRotation() const { return rotation; }
     /// Impulses: at once, whatever the step.
-    void addVelocity(const Vector3 &change) { setVelocity(velocity + change); }
-    void addRotation(const Vector3 &change) { setRotation(rotation + change); }
+    void addVelocity(const Vector3 &change);
+    void addRotation(const Vector3 &change);
     /// About the centre of mass, world coordinates, kg·m²/s; of an immovable body zero.
     Vector3 getAngularMomentum() const { return angularMomentum; }
 
@@ -219,41 +219,44 @@ private:
     void setPrincipalInertia(const Matrix3 &tensor, bool isInverse, const char *function);
     void setPrincipalFrame(const Vector3 &inverseMoments, const Quaternion &axes);
     void setMomentumFromRotation();
-    bool turnsFreely() const { return inverseMass > 0 && !hasLockedAxis; }
+    bool hasLockedAxis() const {
+        return inverseInertia.x == 0 || inverseInertia.y == 0 || inverseInertia.z == 0;
+    }
+    bool turnsFreely() const { return inverseMass > 0 && !hasLockedAxis(); }
     Matrix3 getPrincipalAxesInWorld() const;
 
     void renewDampingFactors(real duration);
     void fallAsleepIfIdle(const Vector3 &torque, real duration);
     void keepLastGoodState();
 
-    // What every step reads and writes comes first and lies together.
-    Matrix4 transform;
-    Vector3 velocity;
-    Vector3 rotation;
-    Load generated;  ///< what generators have added since the last step
-    Vector3 acceleration;
-    real inverseMass = 1;
+    // What generators read and write comes first, then what only the step does, then what it rarely needs:
+    // the less memory a frame touches, the faster a large world is.
     bool awake = true;
     bool canSleep = false;
     bool faulted = false;
     bool inGenerator = false;       ///< a ForceRegistry is calling one of this body's generators
     bool isGenerated = false;       ///< a ForceRegistry has called one since the last step
     bool hasAdded = false;          ///< `added` is not zero
-    bool hasLockedAxis = false;     ///< some inverse principal inertia is zero
-    std::uint8_t middleAxis = 0;    ///< the principal axis of the middle inertia
     bool hasPrincipalAxes = false;  ///< `principalAxes` is not the identity
+    std::uint8_t middleAxis = 0;    ///< the principal axis of the middle inertia
+    Matrix4 transform;
+    Vector3 velocity;
+    Vector3 rotation;
+    Load generated;  ///< what generators have added since the last step
+
     Quaternion orientation;
     Vector3 angularMomentum;
     Load lastGenerated;     ///< the generators' share in the last step
     real lastDuration = 0;  ///< of the step that lastGenerated belongs to; 0: nothing to remember
+    Vector3 lastFrameAcceleration;
+    Vector3 acceleration;
+    real inverseMass = 1;
     Vector3 inverseInertia = Vector3(1, 1, 1);  ///< principal
     real linearFactor = 1, angularFactor = 1;   ///< damping over half a step of factorDuration
     real factorDuration = 0;
-    Vector3 lastFrameAcceleration;
 
-    // What steps rarely need.
+    Load added;  ///< what the caller has added since the last step
     real mass = 1;
-    Load added;                          ///< what the caller has added since the last step
     Vector3 inertia = Vector3(1, 1, 1);  ///< principal; infinite about a locked axis
     Quaternion principalAxes;            ///< from principal axes to body axes
     real linearDamping = 1, angularDamping = 1;

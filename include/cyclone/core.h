@@ -70,10 +70,8 @@ public:
         return result;
     }
 
-    /// Shortens the vector to `size` where it is longer.
-    void trim(real size) {
-        if (squareMagnitude() > size * size) *this = unit() * size;
-    }
+    /// Shortens the vector to `size`, not negative, where it is longer.
+    void trim(real size);
     void invert() { *this = -*this; }
     void clear() { *this = Vector3(); }
 

@@ -72,6 +72,7 @@ private:
     class Update;
     class Share;
 
+    static void fetchFor(const Registration &registration);
     void callGenerator(std::size_t index, real duration);
     void erase(std::size_t index);
     void renewSchedule();

@@ -36,7 +36,7 @@ protected:
 /// Threads that wait between frames. One caller at a time.
 class Workers : public JobSystem {
 public:
-    /// With the calling thread, `threadCount` threads share the work; 1 or more.
+    /// With the calling thread, `threadCount` threads share the work; 1 to 256.
     explicit Workers(std::size_t threadCount);
     ~Workers() override;
     Workers(const Workers &) = delete;
