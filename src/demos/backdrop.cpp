@@ -9,7 +9,7 @@ namespace demo {
 namespace {
 
 constexpr Colour HORIZON{205, 222, 232}, ZENITH{58, 116, 186}, SUNLIGHT{255, 246, 214};
-constexpr Colour GRASS{98, 138, 70}, DARK_GRASS{84, 125, 62}, GROUND_LINE{176, 190, 128},
+constexpr Colour GRASS{108, 148, 76}, DARK_GRASS{74, 114, 56}, GROUND_LINE{176, 190, 128},
     GROUND_HAZE{150, 176, 160};
 constexpr Colour DEEP_WATER{14, 62, 96}, LIT_WATER{40, 128, 150}, SEA_LINE{130, 180, 190},
     SEA_HAZE{120, 165, 188};
@@ -74,7 +74,7 @@ Colour groundColour(const Footprint &pixel) {
     const Extent extent(pixel);
     const real checks = squareWave(pixel.at.x, extent.x, 20) * squareWave(pixel.at.z, extent.z, 20);
     const real tufts = speckle(pixel, extent, 0.5) + 0.7 * speckle(pixel, extent, 2.5);
-    Colour colour = mix(GRASS, DARK_GRASS, 0.5 + 0.5 * checks + 0.25 * tufts);
+    Colour colour = mix(GRASS, DARK_GRASS, 0.5 + 0.25 * checks + 0.25 * tufts);
     colour = mix(colour, GROUND_LINE, 0.6 * gridCoverage(pixel, extent, 10, 0.15));
     colour = mix(colour, GROUND_LINE, 0.8 * gridCoverage(pixel, extent, 100, 0.8));
     return mix(colour, GROUND_HAZE, 0.8 * (1 - std::exp(-pixel.distance / 500)));

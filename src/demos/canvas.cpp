@@ -49,7 +49,7 @@ bool areFinite(const std::vector<Vector3> &corners) {
 Colour lit(Colour colour, const Vector3 &unitNormal, bool isThin) {
     const real facing = unitNormal * Canvas::sun();
     const real sunlight = facing > 0 ? facing : isThin ? -0.6 * facing : 0;
-    return mix({0, 0, 0}, colour, 0.48 + 0.1 * unitNormal.y + 0.42 * sunlight);
+    return mix({0, 0, 0}, colour, 0.54 + 0.1 * unitNormal.y + 0.37 * sunlight);
 }
 
 /// 1/z of the plane through a polygon that is given in view coordinates.
