@@ -181,6 +181,28 @@ TEST(ForceOfOneFrame, FromAnotherBodysGeneratorCountsPlainly) {
     }
 }
 
+TEST(ForceOfOneFrame, CountsPlainlyAfterAGeneratorHasEndedItself) {
+    class Once : public ForceGenerator {
+    public:
+        ForceRegistry *registry = nullptr;
+        void updateForce(RigidBody *body, real) override { registry->remove(body, this); }
+    };
+    World world;
+    RigidBody body;
+    Push steady;
+    Once once;
+    once.registry = &world.getForceRegistry();
+    world.addBody(&body);
+    world.getForceRegistry().add(&body, &steady);
+    world.getForceRegistry().add(&body, &once);
+    for (int n = 0; n < 10; ++n) {
+        world.startFrame();
+        if (n == 1) body.addForce(Vector3(6, 0, 0));
+        world.runPhysics(STEP);
+        ASSERT_TRUE(isNear(body.getVelocity(), Vector3(n >= 1 ? 6 * STEP : 0, 0, 0), 1e-15)) << n;
+    }
+}
+
 // ---- No echo
 
 TEST(Echo, IsWhatAnUndisturbedBodyHas) {
@@ -299,6 +321,7 @@ TEST(RestoredState, RunsToTheSameBits) {
     const RigidBody::State saved = scene.body.getState();
     for (int n = 0; n < 50; ++n) scene.frame();
     const RigidBody first = scene.body;
+    scene.body = RigidBody();
     scene.body.setState(saved);
     for (int n = 0; n < 50; ++n) scene.frame();
     EXPECT_TRUE(isSameMotion(scene.body, first));
@@ -352,6 +375,21 @@ TEST(Damping, LeavesTheSameForAnySplitOfTheSecond) {
         body.integrate(left);
         EXPECT_TRUE(isNear(body.getVelocity(), Vector3(1, -2, 3) * damping, 1e-12 * damping)) << steps;
         EXPECT_TRUE(isNear(body.getRotation(), Vector3(-3, 1, 2) * (damping / 2), 1e-12 * damping)) << steps;
+    }
+}
+
+TEST(Damping, CountsFromTheNextStepOn) {
+    RigidBody body;
+    body.setVelocity(1, 0, 0);
+    body.setRotation(0, 1, 0);
+    real linear = 1, angular = 1;
+    for (const real damping : {0.5, 0.9, 0.1}) {
+        body.setDamping(damping, 1 - damping);
+        body.integrate(0.5);
+        linear *= std::sqrt(damping);
+        angular *= std::sqrt(1 - damping);
+        EXPECT_TRUE(isNear(body.getVelocity(), Vector3(linear, 0, 0), 1e-15));
+        EXPECT_TRUE(isNear(body.getRotation(), Vector3(0, angular, 0), 1e-15));
     }
 }
 

@@ -117,3 +117,10 @@ TEST(Sleep, EndsWhenSomethingActs) {
         EXPECT_EQ(body.getAwake(), event.wakes) << event.name << ", a step later";
     }
 }
+
+TEST(Sleep, ComesAtTheSameStepAfterRestoring) {
+    RigidBody body = sleepyBody(), restored;
+    for (int n = 0; n < 20; ++n) body.integrate(1.0 / 60);
+    restored.setState(body.getState());
+    EXPECT_EQ(timeAwake(restored), timeAwake(body));
+}
