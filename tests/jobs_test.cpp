@@ -1,0 +1,345 @@
+// Threads: the loop itself, and that a world's result does not depend on how its work is shared out.
+#include <cyclone/cyclone.h>
+#include <gtest/gtest.h>
+
+#include <array>
+#include <atomic>
+#include <memory>
+#include <stdexcept>
+#include <thread>
+#include <vector>
+
+#include "random.h"
+
+using namespace cyclone;
+using namespace cyclone_test;
+
+namespace {
+
+constexpr real STEP = 1.0 / 60;
+
+// ---- The loop
+
+struct Counting : JobSystem::Job {
+    std::vector<std::atomic<int>> runs;
+    std::size_t failing = ~std::size_t(0);
+
+    explicit Counting(std::size_t count) : runs(count) {}
+    void run(std::size_t index) override {
+        if (index == failing) throw std::runtime_error("part failed");
+        ++runs.at(index);
+    }
+};
+
+TEST(Workers, RunEachPartOnce) {
+    for (std::size_t threads : {1U, 2U, 3U, 8U}) {
+        Workers workers(threads);
+        EXPECT_EQ(workers.getThreadCount(), threads);
+        for (std::size_t count : {0U, 1U, 2U, 7U, 1000U})
+            for (int repeat = 0; repeat < 5; ++repeat) {
+                Counting job(count);
+                workers.parallelFor(count, job);
+                for (const std::atomic<int> &runs : job.runs) ASSERT_EQ(runs, 1);
+            }
+    }
+}
+
+TEST(Workers, ShareTheWorkWithTheCaller) {
+    // Each part waits until all four have begun: it takes four threads at once.
+    struct Meeting : JobSystem::Job {
+        std::atomic<int> begun{0};
+        void run(std::size_t) override {
+            ++begun;
+            while (begun < 4) std::this_thread::yield();
+        }
+    } job;
+    Workers workers(4);
+    workers.parallelFor(4, job);
+    EXPECT_EQ(job.begun, 4);
+}
+
+TEST(Workers, PassAnExceptionOnAndGoOn) {
+    for (std::size_t threads : {1U, 3U}) {
+        Workers workers(threads);
+        for (std::size_t failing : {0U, 50U, 99U}) {
+            Counting job(100);
+            job.failing = failing;
+            EXPECT_THROW(workers.parallelFor(100, job), std::runtime_error);
+            for (const std::atomic<int> &runs : job.runs) EXPECT_LE(runs, 1);
+            Counting next(100);
+            workers.parallelFor(100, next);
+            for (const std::atomic<int> &runs : next.runs) EXPECT_EQ(runs, 1);
+        }
+    }
+}
+
+// ---- A world with a bit of everything
+
+/// An elastic band that pulls its body and another at once.
+class Band : public ForceGenerator {
+public:
+    explicit Band(RigidBody *o) : other(o) {}
+    void updateForce(RigidBody *body, real) override {
+        const Vector3 pull = (other->getPosition() - body->getPosition()) * 0.1;
+        body->addForce(pull);
+        other->addForceAtBodyPoint(-pull, Vector3(0.1, 0.2, 0.3));
+    }
+
+private:
+    RigidBody *other;
+};
+
+/// Depends on the body alone; an absurd force for the poisoned ones.
+class Poison : public ForceGenerator {
+public:
+    void updateForce(RigidBody *body, real) override {
+        if (body->getVelocity().y < -2) body->addForce(Vector3(0, QUIET_NAN, 0));
+    }
+    bool actsOnItsBodyOnly() const override { return true; }
+};
+
+class RichScene {
+public:
+    static constexpr std::size_t SIZE = 900;
+
+    World world;
+
+    RichScene() {
+        Random random(77);
+        for (std::size_t n = 0; n < SIZE; ++n) addBody(random);
+        const World::RigidBodies &bodies = world.getBodies();
+        ForceRegistry &registry = world.getForceRegistry();
+        for (std::size_t n = 0; n < SIZE; ++n) {
+            RigidBody *body = bodies[n], *next = bodies[(n + 1) % SIZE], *far = bodies[(7 * n + 3) % SIZE];
+            registry.add(body, &gravity);
+            registry.add(body, keep<Spring>(random.vector(), next, random.vector(), 5.0, 1.0));
+            if (n % 5 == 0) registry.add(body, keep<Band>(far));
+            registry.add(body, &wing);
+            registry.add(body, &drag);
+            if (n % 50 == 17) registry.add(body, &poison);
+            if (n % 11 == 0) registry.add(far, keep<Band>(body));
+        }
+        // One body with more registrations than a share of the work holds.
+        for (int n = 0; n < 700; ++n)
+            registry.add(bodies[n % 2 == 0 ? 400 : 401],
+                         keep<Bungee>(random.vector(), bodies[5], random.vector(), 0.01, 1.0));
+    }
+
+    std::uint64_t run(int frames) {
+        for (int n = 0; n < frames; ++n) {
+            world.startFrame();
+            for (std::size_t body = 0; body < SIZE; body += 13)
+                world.getBodies()[body]->addForceAtBodyPoint(Vector3(1, 0, n), Vector3(0, 1, 0));
+            wind.x += 0.1;
+            world.runPhysics(STEP);
+        }
+        return world.hash();
+    }
+
+private:
+    void addBody(Random &random) {
+        RigidBody *body = world.createBody();
+        body->setPosition(random.vector(30));
+        body->setOrientation(random.orientation());
+        body->setVelocity(random.vector());
+        body->setRotation(random.vector());
+        body->setMass(random.between(0.5, 2));
+        if (random.between(0, 1) < 0.5) body->setInertiaTensor(Matrix3(2, 0.1, 0, 0.1, 2.5, 0.2, 0, 0.2, 3));
+        if (random.between(0, 1) < 0.1) body->setInverseMass(0);
+        if (random.between(0, 1) < 0.1) body->setInverseInertiaTensor(diagonal(1, 0, 0.5));
+        if (random.between(0, 1) < 0.3) body->setCanSleep();
+        if (random.between(0, 1) < 0.1) body->setAwake(false);
+    }
+    template <class Force, class... Arguments>
+    ForceGenerator *keep(Arguments... arguments) {
+        forces.push_back(std::make_unique<Force>(arguments...));
+        return forces.back().get();
+    }
+
+    Vector3 wind = Vector3(1, 0, 2);
+    Gravity gravity{Vector3(0, -1, 0)};
+    Drag drag{0.05, 0.01};
+    Aero wing{Matrix3(-0.1, 0, 0, 0.2, -0.3, 0, 0, 0, -0.1), Vector3(0.1, 0, 0.2), &wind};
+    Poison poison;
+    std::vector<std::unique_ptr<ForceGenerator>> forces;
+};
+
+/// A host's job system that runs the parts from the last to the first.
+class Backwards : public JobSystem {
+public:
+    std::size_t longest = 0;
+
+    void parallelFor(std::size_t count, Job &job) override {
+        longest = count > longest ? count : longest;
+        while (count-- > 0) job.run(count);
+    }
+    std::size_t getThreadCount() const override { return 1; }
+};
+
+std::uint64_t wantedHash() {
+    static const std::uint64_t hash = RichScene().run(40);
+    return hash;
+}
+
+TEST(WorldOnThreads, GivesTheSameBits) {
+    for (std::size_t threads : {0U, 1U, 2U, 3U, 8U}) {
+        RichScene scene;
+        scene.world.setWorkers(threads);
+        EXPECT_EQ(scene.run(40), wantedHash()) << threads << " threads";
+        EXPECT_FALSE(scene.world.getFaultedBodies().empty());
+    }
+}
+
+TEST(WorldOnThreads, GivesTheSameBitsInAnyOrderOfTheParts) {
+    RichScene scene;
+    Backwards backwards;
+    scene.world.setJobSystem(&backwards);
+    EXPECT_EQ(scene.run(40), wantedHash());
+    EXPECT_GT(backwards.longest, 2U);
+}
+
+TEST(WorldOnThreads, MayChangeItsJobSystemAtAnyTime) {
+    RichScene scene;
+    Backwards backwards;
+    scene.run(10);
+    scene.world.setWorkers(3);
+    scene.run(10);
+    scene.world.setJobSystem(&backwards);
+    scene.run(10);
+    scene.world.setWorkers(2);
+    scene.run(10);
+    scene.world.setJobSystem(nullptr);
+    scene.run(10);
+    scene.world.setWorkers(0);
+    EXPECT_GT(backwards.longest, 0U);
+    scene.run(10);
+}
+
+TEST(WorldOnThreads, SceneChangesWithEachOfItsParts) {
+    // Lest the comparisons above compare nothing: another frame is another hash.
+    RichScene scene;
+    EXPECT_NE(scene.run(39), wantedHash());
+    EXPECT_EQ(RichScene().run(40), wantedHash());
+}
+
+TEST(WorldOnThreads, WorldsWithWorkersOfTheirOwnNeverMeet) {
+    std::array<std::uint64_t, 2> hashes = {};
+    const auto simulate = [&](std::size_t n) {
+        RichScene scene;
+        scene.world.setWorkers(2);
+        hashes.at(n) = scene.run(40);
+    };
+    std::thread other([&] { simulate(1); });
+    simulate(0);
+    other.join();
+    EXPECT_EQ(hashes[0], wantedHash());
+    EXPECT_EQ(hashes[1], wantedHash());
+}
+
+// ---- Generators that misbehave on a worker
+
+/// Says that it acts on its body only, and does what it is told when called for one of the bodies.
+class Trap : public ForceGenerator {
+public:
+    explicit Trap(RigidBody *v) : victim(v) {}
+    void updateForce(RigidBody *body, real) override {
+        body->addForce(Vector3(60, 0, 0));
+        if (body == victim) spring();
+    }
+    bool actsOnItsBodyOnly() const override { return true; }
+
+protected:
+    virtual void spring() = 0;
+    RigidBody *victim;
+};
+
+struct Trapped : testing::Test {
+    World world;
+    std::size_t size = 1000;
+
+    Trapped() {
+        for (std::size_t n = 0; n < size; ++n) world.createBody();
+        world.setWorkers(3);
+    }
+    RigidBody *victim() { return world.getBodies()[777]; }
+    void registerForAll(ForceGenerator &force) {
+        for (RigidBody *body : world.getBodies()) world.getForceRegistry().add(body, &force);
+    }
+    void frame() {
+        world.startFrame();
+        world.runPhysics(STEP);
+    }
+};
+
+using WorldWithTrap = Trapped;
+
+TEST_F(WorldWithTrap, ExceptionReachesTheCallerAndTheWorldGoesOn) {
+    struct Throwing : Trap {
+        using Trap::Trap;
+        bool armed = true;
+        void spring() override {
+            if (armed) throw std::runtime_error("no fuel");
+        }
+    } force(victim());
+    registerForAll(force);
+    EXPECT_THROW(frame(), std::runtime_error);
+    for (const RigidBody *body : world.getBodies()) EXPECT_EQ(body->getVelocity(), Vector3());
+    force.armed = false;
+    frame();
+    for (const RigidBody *body : world.getBodies()) EXPECT_NEAR(body->getVelocity().x, 1, 1e-14);
+}
+
+TEST_F(WorldWithTrap, RegistrationsMayNotChangeOnAWorker) {
+    struct Changing : Trap {
+        Changing(RigidBody *v, ForceRegistry &r, bool a) : Trap(v), registry(r), adds(a) {}
+        void spring() override { adds ? registry.add(victim, this) : registry.remove(victim, this); }
+        ForceRegistry &registry;
+        bool adds;
+    };
+    for (bool adds : {true, false}) {
+        Changing force(victim(), world.getForceRegistry(), adds);
+        registerForAll(force);
+        EXPECT_THROW(frame(), std::invalid_argument);
+        EXPECT_EQ(world.getForceRegistry().size(), size);
+        world.getForceRegistry().clear();
+    }
+    Gravity gravity;
+    registerForAll(gravity);
+    frame();
+    EXPECT_NEAR(victim()->getVelocity().y, -9.81 * STEP, 1e-15);
+}
+
+TEST_F(WorldWithTrap, BodiesMayNotLeaveOnAWorker) {
+    struct Removing : Trap {
+        Removing(RigidBody *v, World &w) : Trap(v), world(w) {}
+        void spring() override { world.destroyBody(victim); }
+        World &world;
+    } force(victim(), world);
+    registerForAll(force);
+    RigidBody *body = victim();
+    EXPECT_THROW(frame(), std::invalid_argument);
+    EXPECT_EQ(world.getBodies().size(), size);
+    EXPECT_EQ(victim(), body);
+    EXPECT_THROW(world.addBody(body), std::invalid_argument);  // it is still a member
+    EXPECT_NO_THROW(world.destroyBody(body));
+}
+
+TEST_F(WorldWithTrap, GeneratorsThatSayTheyActOnMoreMayChangeAnything) {
+    struct Ending : ForceGenerator {
+        explicit Ending(World &w) : world(w) {}
+        void updateForce(RigidBody *body, real) override { world.destroyBody(body); }
+        World &world;
+    } end(world);
+    Gravity gravity;
+    registerForAll(gravity);
+    for (std::size_t n = 0; n < size; n += 2) world.getForceRegistry().add(world.getBodies()[n], &end);
+    registerForAll(gravity);
+    frame();
+    ASSERT_EQ(world.getBodies().size(), size / 2);
+    for (const RigidBody *body : world.getBodies())
+        ASSERT_NEAR(body->getVelocity().y, 2 * -9.81 * STEP, 1e-15);
+    frame();
+    EXPECT_NEAR(world.getBodies()[3]->getVelocity().y, 4 * -9.81 * STEP, 1e-15);
+}
+
+}  // namespace
