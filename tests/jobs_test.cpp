@@ -113,11 +113,11 @@ public:
             RigidBody *body = bodies[n], *next = bodies[(n + 1) % SIZE], *far = bodies[(7 * n + 3) % SIZE];
             registry.add(body, &gravity);
             registry.add(body, keep<Spring>(random.vector(), next, random.vector(), 5.0, 1.0));
-            if (n % 5 == 0) registry.add(body, keep<Band>(far));
+            if (n % 60 == 0) registry.add(body, keep<Band>(far));
             registry.add(body, &wing);
             registry.add(body, &drag);
             if (n % 50 == 17) registry.add(body, &poison);
-            if (n % 11 == 0) registry.add(far, keep<Band>(body));
+            if (n % 90 == 11) registry.add(far, keep<Band>(body));
         }
         // One body with more registrations than a share of the work holds.
         for (int n = 0; n < 700; ++n)
