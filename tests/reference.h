@@ -178,9 +178,13 @@ inline void expectBelow(real error, real bound, const std::string &what) {
     EXPECT_LT(error, bound) << what;
 }
 
-/// The order of convergence that errors at the steps h, h/2, h/4 show: the lesser of two.
-inline real orderOf(const real (&errors)[3]) {
-    return std::min(std::log2(errors[0] / errors[1]), std::log2(errors[1] / errors[2]));
+/// Asks for an order of convergence, the lesser of the two that errors at the steps h, h/2, h/4 show.
+inline void expectOrder(const real (&errors)[3], real least) {
+    const real order = std::min(std::log2(errors[0] / errors[1]), std::log2(errors[1] / errors[2]));
+    std::ostringstream text;
+    text << order;
+    testing::Test::RecordProperty("order", text.str());
+    EXPECT_GE(order, least) << errors[0] << ' ' << errors[1] << ' ' << errors[2];
 }
 
 }  // namespace reference

@@ -124,7 +124,7 @@ TEST(FreeMotion, ConvergesWithFourthOrder) {
         errors[halving] =
             difference(bodyRates(body), truth.spin) + difference(body.getOrientation(), truth.orientation);
     }
-    EXPECT_GE(reference::orderOf(errors), 3.5) << errors[0] << ' ' << errors[1] << ' ' << errors[2];
+    reference::expectOrder(errors, 3.5);
     expectBelow(errors[1], 1e-5, "error at 1/50 s");
 }
 
@@ -385,7 +385,7 @@ TEST(ForcedMotion, ConvergesWithSecondOrder) {
             difference(body.getPosition(), truth.position) + difference(body.getVelocity(), truth.velocity) +
             difference(body.getOrientation(), truth.orientation) + difference(bodyRates(body), truth.spin);
     }
-    EXPECT_GE(reference::orderOf(errors), 1.8) << errors[0] << ' ' << errors[1] << ' ' << errors[2];
+    reference::expectOrder(errors, 1.8);
     expectBelow(errors[0], 1e-2, "error at 1/60 s");
 }
 
