@@ -212,6 +212,8 @@ void RigidBody::addRotation(const Vector3 &change) {
 void RigidBody::setAcceleration(const Vector3 &metresPerSecondSquared) {
     requireVector(metresPerSecondSquared.isFinite(), "RigidBody::setAcceleration",
                   "the acceleration must be finite", metresPerSecondSquared);
+    if (!awake && metresPerSecondSquared != acceleration && metresPerSecondSquared != Vector3())
+        setAwake(true);
     acceleration = metresPerSecondSquared;
 }
 
@@ -222,7 +224,7 @@ void RigidBody::calculateDerivedData() { transform.setOrientationAndPos(orientat
 void RigidBody::dropLoads() {
     if (isGenerated) generated = Load();
     if (hasAdded) added = Load();
-    hasAdded = isGenerated = inGenerator = false;
+    hasAdded = isGenerated = startsAfresh = inGenerator = false;
 }
 
 void RigidBody::wakeForLoad(const Vector3 &force, const Vector3 &torque) {
@@ -303,6 +305,7 @@ RigidBody::State RigidBody::getState() const {
     s.faulted = faulted;
     s.hasAdded = hasAdded;
     s.isGenerated = isGenerated;
+    s.startsAfresh = startsAfresh;
     return s;
 }
 
@@ -368,6 +371,7 @@ void RigidBody::setState(const State &s) {
     faulted = s.faulted;
     hasAdded = s.hasAdded;
     isGenerated = s.isGenerated;
+    startsAfresh = s.startsAfresh;
 }
 
 RigidBody::State RigidBody::State::linearInterpolate(const State &a, const State &b, real prop) {
@@ -392,6 +396,10 @@ bool RigidBody::integrate(real duration) {
 std::size_t RigidBody::integrate(RigidBody *const *bodies, std::size_t count, real duration) {
     require(duration >= 0 && duration <= REAL_MAX, "RigidBody::integrate",
             "the duration must be finite and not negative", {duration});
+    if (duration == 0) {
+        for (std::size_t n = 0; n < count; ++n) bodies[n]->clearAccumulators();
+        return 0;
+    }
     StepBlock block(duration);
     for (std::size_t n = 0; n < count; ++n) {
         if (n + FETCH_AHEAD < count) fetch(bodies[n + FETCH_AHEAD], offsetof(RigidBody, added));

@@ -15,12 +15,22 @@ void ForceRegistry::add(RigidBody *body, ForceGenerator *generator) {
     require(!sharing, "ForceRegistry::add",
             "a generator that acts on its body only may not add registrations");
     registrations.push_back({body, generator, generator->actsOnItsBodyOnly()});
+    if (!registrations.back().actsOnItsBodyOnly) ++outreachingCount;
     schedule.reserve(registrations.capacity());
     scheduleIsCurrent = false;
+    registrationsChanged(body);
+}
+
+/// The step must not take the difference for a change of the forces. Those of a frame that is under way are
+/// not all of the body's, neither with the old registrations nor with the new.
+void ForceRegistry::registrationsChanged(RigidBody *body) const {
     body->forgetForces();
+    if (updating) body->startsAfresh = true;
 }
 
 void ForceRegistry::remove(RigidBody *body, ForceGenerator *generator) {
+    require(!sharing, "ForceRegistry::remove",
+            "a generator that acts on its body only may not change registrations");
     requireNonNull(body, "ForceRegistry::remove", "the body must not be null");
     requireNonNull(generator, "ForceRegistry::remove", "the generator must not be null");
     for (std::size_t n = 0; n < registrations.size(); ++n)
@@ -28,15 +38,16 @@ void ForceRegistry::remove(RigidBody *body, ForceGenerator *generator) {
 }
 
 void ForceRegistry::remove(RigidBody *body) {
+    require(!sharing, "ForceRegistry::remove",
+            "a generator that acts on its body only may not change registrations");
     requireNonNull(body, "ForceRegistry::remove", "the body must not be null");
     for (std::size_t n = registrations.size(); n-- > 0;)
         if (registrations[n].body == body) erase(n);
 }
 
 void ForceRegistry::erase(std::size_t index) {
-    require(!sharing, "ForceRegistry::remove",
-            "a generator that acts on its body only may not remove registrations");
-    registrations[index].body->forgetForces();
+    registrationsChanged(registrations[index].body);
+    if (!registrations[index].actsOnItsBodyOnly) --outreachingCount;
     if (updating) {
         registrations[index].body = nullptr;
         ++removedCount;
@@ -49,6 +60,7 @@ void ForceRegistry::erase(std::size_t index) {
 void ForceRegistry::clear() {
     require(!updating, "ForceRegistry::clear", "a generator may not clear the registry");
     registrations.clear();
+    outreachingCount = 0;
     scheduleIsCurrent = false;
 }
 
@@ -103,10 +115,11 @@ void ForceRegistry::callGenerator(std::size_t index, real duration) {
         const ForceRegistry &registry;
         std::size_t index;
         RigidBody *body;
+        bool wasInGenerator;
         ~Marker() {
-            if (registry.registrations[index].body == body) body->inGenerator = false;
+            if (registry.registrations[index].body == body) body->inGenerator = wasInGenerator;
         }
-    } const marker{*this, index, called.body};
+    } const marker{*this, index, called.body, called.body->inGenerator};
     called.body->inGenerator = called.body->isGenerated = true;
     called.generator->updateForce(called.body, duration);
 }

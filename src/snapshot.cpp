@@ -21,8 +21,8 @@ constexpr Quaternion State::*QUATERNIONS[] = {&State::orientation, &State::princ
 constexpr real State::*REALS[] = {&State::lastDuration,  &State::mass,           &State::inverseMass,
                                   &State::linearDamping, &State::angularDamping, &State::motion,
                                   &State::sleepEpsilon};
-constexpr bool State::*FLAGS[] = {&State::awake, &State::canSleep, &State::faulted, &State::hasAdded,
-                                  &State::isGenerated};
+constexpr bool State::*FLAGS[] = {&State::awake,    &State::canSleep,    &State::faulted,
+                                  &State::hasAdded, &State::isGenerated, &State::startsAfresh};
 
 constexpr std::size_t STATE_WORDS =
     3 * std::size(VECTORS) + 4 * std::size(QUATERNIONS) + std::size(REALS) + 1;

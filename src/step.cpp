@@ -135,8 +135,9 @@ bool StepBlock::takeOver(const Entry &entry, const Quaternion &orientation, cons
     body.angularMomentum = angularMomentum;
     body.lastFrameAcceleration = entry.acceleration;
 
-    body.lastDuration = body.isGenerated ? duration : 0;
-    if (body.isGenerated) body.lastGenerated = body.generated;
+    const bool isToRemember = body.isGenerated && !body.startsAfresh && body.hasFiniteMass();
+    body.lastDuration = isToRemember ? duration : 0;
+    if (isToRemember) body.lastGenerated = body.generated;
     body.clearAccumulators();
     if (body.canSleep) body.fallAsleepIfIdle(entry.torque, duration);
     return true;

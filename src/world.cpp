@@ -42,14 +42,21 @@ private:
 World::World() : ownedBodies(std::make_unique<Bodies>()) {}
 World::~World() = default;
 
+void World::requireUnshared(const char *function) const {
+    require(!registry.isShared(), function,
+            "a generator that acts on its body only may not change the bodies");
+}
+
 void World::addBody(RigidBody *body) {
     requireNonNull(body, "World::addBody", "the body must not be null");
+    requireUnshared("World::addBody");
     require(members.insert(body).second, "World::addBody", "the body must not be in the world already");
     bodies.push_back(body);
     faultedBodies.reserve(bodies.capacity());
 }
 
 RigidBody *World::createBody() {
+    requireUnshared("World::createBody");
     RigidBody *body = ownedBodies->create();
     addBody(body);
     return body;
@@ -73,8 +80,9 @@ void World::destroyBody(RigidBody *body) {
 }
 
 void World::takeOut(RigidBody *body) {
-    members.erase(body);
     registry.remove(body);
+    body->inGenerator = false;
+    members.erase(body);
     bodies.erase(std::find(bodies.begin(), bodies.end(), body));
     faultedBodies.erase(std::remove(faultedBodies.begin(), faultedBodies.end(), body), faultedBodies.end());
 }
@@ -94,13 +102,36 @@ void requireDuration(real duration, const char *function) {
 
 }  // namespace
 
+/// While generators that may act on any body are called, whatever is added is theirs.
+class World::ForcesOnAll {
+public:
+    explicit ForcesOnAll(World &w) : world(w), needed(w.registry.hasOutreachingGenerators()) { mark(true); }
+    ~ForcesOnAll() { mark(false); }
+    ForcesOnAll(const ForcesOnAll &) = delete;
+    ForcesOnAll &operator=(const ForcesOnAll &) = delete;
+
+private:
+    void mark(bool inGenerator) {
+        if (!needed) return;
+        for (RigidBody *body : world.bodies) body->inGenerator = inGenerator;
+    }
+
+    World &world;
+    const bool needed;
+};
+
 void World::runPhysics(real duration) {
     requireDuration(duration, "World::runPhysics");
+    updateForces(duration);
+    integrate(duration);
+}
+
+void World::updateForces(real duration) {
+    const ForcesOnAll forces(*this);
     if (jobs != nullptr)
         registry.updateForces(duration, *jobs);
     else
         registry.updateForces(duration);
-    integrate(duration);
 }
 
 /// Advances a part of the bodies, on one thread.

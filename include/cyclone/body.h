@@ -80,7 +80,8 @@ public:
     /// About the centre of mass, world coordinates, kg·m²/s; of an immovable body zero.
     Vector3 getAngularMomentum() const { return angularMomentum; }
 
-    /// A constant acceleration (m/s²) that acts whatever the mass, such as gravity. None by default.
+    /// A constant acceleration (m/s²) that acts whatever the mass, such as gravity. None by default; a new
+    /// one wakes the body.
     void setAcceleration(const Vector3 &metresPerSecondSquared);
     void setAcceleration(real x, real y, real z) { setAcceleration(Vector3(x, y, z)); }
     Vector3 getAcceleration() const { return acceleration; }
@@ -145,7 +146,8 @@ public:
     real getSleepEpsilon() const { return sleepEpsilon; }
     /// @}
 
-    /// Advances the body by `duration` seconds, finite and not negative, and clears the accumulators.
+    /// Advances the body by `duration` seconds, finite and not negative, and clears the accumulators. 0 does
+    /// only that.
     ///
     /// Constant forces are exact and free rotation is of fourth order. Forces that change smoothly are of
     /// second order with this one evaluation, because each step mends the last one's end: velocity gains (A −
@@ -181,7 +183,8 @@ public:
         Quaternion principalAxes;  ///< from principal axes to body axes
         real linearDamping = 1, angularDamping = 1;
         real motion = 0, sleepEpsilon = 0.01;
-        bool awake = true, canSleep = false, faulted = false, hasAdded = false, isGenerated = false;
+        bool awake = true, canSleep = false, faulted = false, hasAdded = false, isGenerated = false,
+             startsAfresh = false;
 
         /// Why no body can be in this state; null if one can.
         const char *findError() const;
@@ -199,6 +202,7 @@ public:
 private:
     friend class ForceRegistry;
     friend class StepBlock;
+    friend class World;
 
     /// A force at the centre of mass and a torque, world coordinates.
     struct Load {
@@ -209,13 +213,17 @@ private:
         Load &load = inGenerator ? generated : added;
         load.force += force;
         load.torque += torque;
-        if (!inGenerator) hasAdded = true;
+        (inGenerator ? isGenerated : hasAdded) = true;
         if (!awake) wakeForLoad(force, torque);
     }
     void dropLoads();
     void wakeForLoad(const Vector3 &force, const Vector3 &torque);
 
-    void forgetForces() { lastDuration = 0; }
+    /// Nothing to remember; nor after this step, when some generators have been called for it already.
+    void forgetForces() {
+        lastDuration = 0;
+        startsAfresh = isGenerated;
+    }
     void setPrincipalInertia(const Matrix3 &tensor, bool isInverse, const char *function);
     void setPrincipalFrame(const Vector3 &inverseMoments, const Quaternion &axes);
     void setMomentumFromRotation();
@@ -237,6 +245,7 @@ private:
     bool inGenerator = false;       ///< a ForceRegistry is calling one of this body's generators
     bool isGenerated = false;       ///< a ForceRegistry has called one since the last step
     bool hasAdded = false;          ///< `added` is not zero
+    bool startsAfresh = false;      ///< this step's forces are not to be remembered
     bool hasPrincipalAxes = false;  ///< `principalAxes` is not the identity
     std::uint8_t middleAxis = 0;    ///< the principal axis of the middle inertia
     Matrix4 transform;

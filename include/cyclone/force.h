@@ -56,6 +56,11 @@ public:
     void updateForces(real duration, JobSystem &jobs);
 
     std::size_t size() const { return registrations.size() - removedCount; }
+    /// Whether some generator may act on other bodies than the one it is called for.
+    bool hasOutreachingGenerators() const { return outreachingCount > 0; }
+    /// Whether threads are calling generators now: neither registrations nor a world's bodies may change
+    /// then.
+    bool isShared() const { return sharing; }
 
 private:
     struct Registration {
@@ -74,6 +79,7 @@ private:
 
     static void fetchFor(const Registration &registration);
     void callGenerator(std::size_t index, real duration);
+    void registrationsChanged(RigidBody *body) const;
     void erase(std::size_t index);
     void renewSchedule();
     std::size_t endOfRun(std::size_t begin) const;
@@ -83,6 +89,7 @@ private:
     bool scheduleIsCurrent = true;
     bool updating = false, sharing = false;
     std::size_t removedCount = 0;  ///< nulls among the registrations
+    std::size_t outreachingCount = 0;
 };
 
 /// Gravity as a force: mass·acceleration. For most games RigidBody::setAcceleration does the same for less.

@@ -96,9 +96,12 @@ public:
 
 private:
     class Bodies;  ///< storage of the bodies that the world owns
+    class ForcesOnAll;
     class Advance;
 
+    void requireUnshared(const char *function) const;
     void takeOut(RigidBody *body);
+    void updateForces(real duration);
     void listFaultedBodies(bool anyNew);
 
     RigidBodies bodies;
