@@ -179,10 +179,10 @@ void Sailing::step() {
     Voyage &v = *voyage;
     applyControls();
     v.wind.advance();
-    v.sea.setTime(getTime());
     v.world.startFrame();
     v.world.runPhysics(profile.step);
     ++v.steps;
+    v.sea.setTime(getTime());
     keepLog();
     rightIfCapsized();
 }
