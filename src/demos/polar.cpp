@@ -11,7 +11,7 @@ namespace {
 
 using cyclone::REAL_PI;
 
-constexpr real STEP = 1.0 / 60, SETTLE = 50, HELD = 0.1;  // s, s, rad
+constexpr real STEP = 1.0 / 60, SETTLE = 40, HELD = 0.1;  // s, s, rad
 
 /// A boat alone on calm water in a steady wind from the north, under way with the wind to starboard.
 class Trial {
@@ -69,8 +69,8 @@ PolarPoint measurePoint(real windspeed, real windAngle) {
     const auto sailAt = [&](real sail) { return Trial(windspeed, windAngle).settle(sail, windAngle); };
     // A coarse search first, since there may be no way on at all where the sail is badly wrong; then closer.
     PolarPoint best = sailAt(0);
-    for (real spacing : {0.1, 0.025, 0.00625}) {
-        const real middle = best.sail, reach = spacing == 0.1 ? Catamaran::MAX_SAIL : 4 * spacing;
+    for (real spacing : {0.15, 0.03, 0.006}) {
+        const real middle = best.sail, reach = spacing == 0.15 ? Catamaran::MAX_SAIL : 4 * spacing;
         for (real sail = std::max(middle - reach, 0.0); sail < middle + reach + spacing / 2; sail += spacing)
             if (sail <= Catamaran::MAX_SAIL) best = std::max(best, sailAt(sail), isSlower);
     }
