@@ -42,6 +42,8 @@ TEST(Sailing, FitsItsProfile) {
     EXPECT_EQ(frame.poses.size(), profile.parts.size());
     EXPECT_EQ(frame.values.size(), profile.quantities.size());
     EXPECT_TRUE(frame.cut);
+    EXPECT_TRUE(sailing.getFrame().cut);  // the same moment, told twice
+    sailing.step();
     EXPECT_FALSE(sailing.getFrame().cut);
     for (const demo::Setting &setting : profile.settings) {
         EXPECT_LE(setting.low, setting.value);

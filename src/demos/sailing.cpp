@@ -120,13 +120,19 @@ struct Sailing::Voyage {
     Skipper skipper;
     unsigned long long steps = 0;
     unsigned long long capsizedSteps = 0;
-    mutable bool cut = true;  // until a frame has told of it
+    bool cut = true;               // the boat was put here; until a frame has told of it
+    mutable bool hasTold = false;  // whether a frame has, since then
 
     // The log.
     real distance = 0, topSpeed = 0, mostHeel = 0;
     unsigned capsizes = 0;
 
     Voyage(const Wind &w) : wind(w), boat(&world, wind.getAddress(), &sea), skipper(MARKS) {}
+
+    void putHere() {
+        cut = true;
+        hasTold = false;
+    }
 };
 
 Sailing::Sailing() : profile(makeProfile()) {
@@ -163,7 +169,7 @@ void Sailing::startOver() {
     voyage->boat.launch(0, 0, START_HEADING, START_SPEED);
     voyage->skipper = Skipper(MARKS);
     voyage->capsizedSteps = 0;
-    voyage->cut = true;
+    voyage->putHere();
 }
 
 void Sailing::steer() {
@@ -177,6 +183,7 @@ void Sailing::steer() {
 
 void Sailing::step() {
     Voyage &v = *voyage;
+    if (v.hasTold) v.cut = false;
     applyControls();
     v.wind.advance();
     v.world.startFrame();
@@ -215,7 +222,7 @@ void Sailing::rightIfCapsized() {
     v.boat.launch(position.x, position.z, v.boat.getHeading());
     centreControls();
     v.capsizedSteps = 0;
-    v.cut = true;
+    v.putHere();
     tell("righted");
 }
 
@@ -236,7 +243,8 @@ Frame Sailing::getFrame() const {
     frame.arrows = getArrows();
     frame.windspeed = voyage->wind.getWindspeed();
     frame.values = getValues();
-    frame.cut = std::exchange(voyage->cut, false);
+    frame.cut = voyage->cut;
+    voyage->hasTold = true;
     return frame;
 }
 
