@@ -97,6 +97,15 @@ TEST(Boat, OneHullCarriesIt) {
     EXPECT_GT(1000 * 2 * Catamaran::HALF_HULL_VOLUME, Sea().boat.getBody().getMass());
 }
 
+TEST(Boat, TurnsAboutItsMastAsItsPartsWeigh) {
+    // Each block's m·(x² + z²) of its centre, and a third of that of its half sizes: two hulls, beams, crew,
+    // rig.
+    const real hulls = 140 * (1.4 * 1.4 + (9 + 0.04) / 3), beams = 35 * (1.44 + 1.96) / 3;
+    const real crew = 150 * (0.01 + (0.09 + 0.36) / 3), rig = 30 * (0.25 + (0.09 + 0.0025) / 3);
+    EXPECT_NEAR(Sea().boat.getBody().getInertiaTensor().data[4], hulls + beams + crew + rig, 1e-9);
+    EXPECT_NEAR(Sea().boat.getBody().getMass(), 140 + 35 + 150 + 30, 1e-9);
+}
+
 TEST(Boat, HeavesAtThePeriodOfItsWaterline) {
     Sea sea;
     cyclone::RigidBody &body = sea.boat.getBody();

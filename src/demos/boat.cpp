@@ -1,5 +1,7 @@
 #include "boat.h"
 
+#include <cmath>
+
 namespace demo {
 
 namespace {
@@ -46,11 +48,10 @@ RigidBody makeBody() {
     Matrix3 tensor;
     for (const Block &block : BLOCKS) {
         mass += block.mass;
-        Matrix3 own, offset, square;
+        Matrix3 own, offset;
         own.setBlockInertiaTensor(block.halfSizes, block.mass);
         offset.setSkewSymmetric(block.centre);
-        square = offset * offset * -block.mass;  // Huygens and Steiner: m·(c²·1 − c·cᵀ)
-        tensor += own + square;
+        tensor += own + offset * offset * -block.mass;  // Huygens and Steiner: m·(c²·1 − c·cᵀ)
     }
     RigidBody body;
     body.setMass(mass);

@@ -31,9 +31,9 @@ real bearing(const Vector3 &worldDirection);
 /// waves is what ends heaving, rolling and pitching. The waves' own motion under way is left out.
 class HullResistance : public cyclone::ForceGenerator {
 public:
-    /// Acts where `hull` has its centre of buoyancy, `centre` in body coordinates, as far as it is under
-    /// water. `linear` in N·s/m and `quadratic` in N·s²/m², one for each body axis, wholly under water.
-    /// `hull` must live as long as the resistance acts.
+    /// Acts at `centre`, body coordinates, as far as `hull` is under water. `linear` in N·s/m and `quadratic`
+    /// in N·s²/m², one for each body axis, wholly under water. `hull` must live as long as the resistance
+    /// acts.
     HullResistance(const cyclone::Buoyancy *hull, const Vector3 &centre, const Vector3 &linear,
                    const Vector3 &quadratic);
 
