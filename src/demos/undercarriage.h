@@ -20,7 +20,7 @@ public:
     struct Strut {
         real springConstant = 400;                ///< k, N/m
         real damping = 16;                        ///< c, N·s/m
-        real rollingFriction = 0.06, grip = 0.7;  ///< μr and μs
+        real rollingFriction = 0.06, grip = 0.5;  ///< μr and μs
         real creepSpeed = 0.3;                    ///< s, m/s
     };
 
