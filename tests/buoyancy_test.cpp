@@ -305,6 +305,10 @@ TEST(Waves, CarryAHullUpAndDown) {
     EXPECT_NEAR(hull.getSubmersion(at(Vector3(30, 0, 0))), 0, 1e-12);
     EXPECT_NEAR(hull.getSubmersion(at(Vector3(0, 0, 0))), 0.5, 1e-12);
     EXPECT_NEAR(hull.getSubmersion(at(Vector3(10, 1.5, 0))), 0.25, 1e-12);
+    // The height of the water counts where the hull's centre is, not the body's.
+    Buoyancy bow(Vector3(10, 0, 0), 1, 1, 0);
+    bow.setWater(&sea);
+    EXPECT_NEAR(bow.getSubmersion(RigidBody()), 1, 1e-12);
     hull.setWater(nullptr);
     EXPECT_EQ(hull.getSubmersion(RigidBody()), 0);
 }

@@ -316,4 +316,54 @@ TEST(RegistryAndStep, AGeneratorThatActsOnTwoBodiesKeepsTheirMomentum) {
     }
 }
 
+TEST(RegistryAndStep, BesideSuchAGeneratorTheCallersForcesStillCountForOneFrame) {
+    Frames frames;
+    RigidBody *other = frames.world.createBody();
+    bool fails = false;
+    Scripted both([&](RigidBody *body) {
+        body->addForce(Vector3(2, 0, 0));
+        other->addForce(Vector3(-2, 0, 0));
+        if (fails) throw std::runtime_error("no fuel");
+    });
+    frames.registry.add(frames.body, &both);
+    frames.run(3);
+    fails = true;
+    frames.world.startFrame();
+    EXPECT_THROW(frames.world.runPhysics(STEP), std::runtime_error);
+    fails = false;
+    frames.world.startFrame();
+    other->addForce(Vector3(50, 0, 0));
+    frames.body->addForce(Vector3(100, 0, 0));
+    frames.world.runPhysics(STEP);
+    frames.run(3);
+    EXPECT_NEAR(other->getVelocity().x, (-2 * 7 + 50) * STEP, 1e-14);
+    EXPECT_NEAR(frames.body->getVelocity().x, (3 * 7 + 100) * STEP, 1e-14);
+}
+
+TEST(RegistryAndStep, AddedInMidFrameIsTheSameAsAddedBeforeTheNext) {
+    AnchoredSpring spring(Vector3(0.1, 0, 0), Vector3(1, 2, 3), 10, 1);
+    World world;
+    RigidBody *late = world.createBody(), *early = world.createBody(), *another = world.createBody();
+    bool adds = false;
+    Scripted adder([&](RigidBody *) {
+        if (adds) world.getForceRegistry().add(late, &spring);
+        adds = false;
+    });
+    world.getForceRegistry().add(another, &adder);
+    const auto frame = [&] {
+        world.startFrame();
+        world.runPhysics(STEP);
+    };
+    frame();
+    adds = true;
+    frame();
+    world.getForceRegistry().add(early, &spring);
+    for (int n = 0; n < 50; ++n) {
+        frame();
+        ASSERT_EQ(late->getVelocity(), early->getVelocity()) << "frame " << n;
+        ASSERT_EQ(late->getOrientation(), early->getOrientation()) << "frame " << n;
+    }
+    EXPECT_NE(late->getVelocity(), Vector3());
+}
+
 }  // namespace
