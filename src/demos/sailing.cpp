@@ -167,7 +167,7 @@ void Sailing::setWaves(real height) {
 void Sailing::startOver() {
     resetControls();
     voyage->boat.launch(0, 0, START_HEADING, START_SPEED);
-    voyage->skipper = Skipper(MARKS);
+    voyage->skipper.startOver();
     voyage->capsizedSteps = 0;
     voyage->putHere();
 }
@@ -175,10 +175,9 @@ void Sailing::startOver() {
 void Sailing::steer() {
     Voyage &v = *voyage;
     applyControls();
-    v.skipper.sail(v.boat, v.wind.getWindspeed(), profile.step);
+    v.skipper.sail(v.boat, profile.step);
     setControl(RUDDER, v.boat.getRudder() / DEGREE);
     setControl(SAIL, v.boat.getSail() / DEGREE);
-    for (const std::string &report : v.skipper.takeReports()) tell(report);
 }
 
 void Sailing::step() {
@@ -190,6 +189,8 @@ void Sailing::step() {
     v.world.runPhysics(profile.step);
     ++v.steps;
     v.sea.setTime(getTime());
+    v.skipper.watch(v.boat, v.wind.getWindspeed(), profile.step);
+    for (const std::string &report : v.skipper.takeReports()) tell(report);
     keepLog();
     rightIfCapsized();
 }
@@ -307,7 +308,7 @@ std::string Sailing::getSummary() const {
          << " s: " << fixed(time > 0 ? v.distance / time : 0, 1) << " m/s on average, "
          << fixed(v.topSpeed, 1) << " m/s at best, heeling " << fixed(v.mostHeel / DEGREE, 0) << "° at most\n"
          << count(v.skipper.getTacks(), "tack") << ", " << count(v.skipper.getGybes(), "gybe") << ", "
-         << v.skipper.getRounded() << " of " << count(MARKS.size(), "mark") << " rounded";
+         << count(v.skipper.getRounded(), "mark") << " rounded";
     if (v.capsizes > 0) text << ", capsized " << count(v.capsizes, "time");
     return text.str();
 }

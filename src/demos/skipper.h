@@ -20,30 +20,36 @@ public:
 
     explicit Skipper(std::vector<Mark> marks = {}) : course(std::move(marks)) {}
 
-    /// Works the boat for a step. The windspeed as for aero.h.
-    void sail(Catamaran &boat, const Vector3 &windspeed, real duration);
+    /// Works the boat's rudder and sail for a step of `duration` seconds.
+    void sail(Catamaran &boat, real duration);
+    /// Keeps an eye on wind and marks after every step, whoever works the boat. The windspeed as for aero.h.
+    void watch(const Catamaran &boat, const Vector3 &windspeed, real duration);
+    /// Before the first mark again; what he has counted stays.
+    void startOver();
 
-    bool isFinished() const { return rounded == course.size(); }
-    std::size_t getRounded() const { return rounded; }
+    bool isFinished() const { return next == course.size(); }
+    unsigned getRounded() const { return rounded; }
     unsigned getTacks() const { return tacks; }
     unsigned getGybes() const { return gybes; }
-    /// What was decided or done since the last call, in a word or two each.
+    /// What was done since the last call, in a word or two each.
     std::vector<std::string> takeReports() { return std::exchange(reports, {}); }
 
 private:
     void senseWind(const Vector3 &windspeed, real duration);
+    void noteManoeuvre(const Catamaran &boat);
+    void noteRounding(const Catamaran &boat);
+    void steerFor(const Mark &mark, const Catamaran &boat);
     void beat(const Catamaran &boat, real markOffWind, real offset);
-    void noteManoeuvres(const Catamaran &boat);
 
     std::vector<Mark> course;
-    std::size_t rounded = 0;
+    std::size_t next = 0;  ///< mark
     Helmsman helmsman;
     Vector3 meanWind;  ///< of late: he doesn't tack for every gust
-    real tack = 1;     ///< on a beat: 1 with the wind over the starboard side, else −1
     bool beating = false;
-    real side = 0;       ///< where the wind came from last, as tack; 0: not known
+    real tack = 1;       ///< on a beat: 1 with the wind over the starboard side, else −1
+    real side = 0;       ///< where the wind comes from, as tack; 0: not known
     real sinceTack = 0;  ///< s
-    unsigned tacks = 0, gybes = 0;
+    unsigned tacks = 0, gybes = 0, rounded = 0;
     std::vector<std::string> reports;
 };
 
