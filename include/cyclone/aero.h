@@ -13,7 +13,7 @@ namespace cyclone {
 
 /// A surface: force = R·A·Rᵀ·(velocity + windspeed), at a point of the body. A step is stable while
 /// |A|/mass·duration < 1.
-class Aero : public ForceGenerator {
+class CYCLONE_API Aero : public ForceGenerator {
 public:
     /// Tensor A in N·s/m and position in m, body coordinates, finite. windspeed in m/s, world coordinates, is
     /// read at each frame and must live as long as the surface acts; null is still air.
@@ -48,7 +48,7 @@ protected:
 
 /// A surface with a control, such as a wing with a flap: the tensor is `min` at control −1, `base` at 0,
 /// `max` at +1, and linear in between.
-class AeroControl : public Aero {
+class CYCLONE_API AeroControl : public Aero {
 public:
     AeroControl(const Matrix3 &base, const Matrix3 &min, const Matrix3 &max, const Vector3 &position,
                 const Vector3 *windspeed);
@@ -64,7 +64,7 @@ private:
 
 /// A surface that turns relative to the body, such as a sail or a rudder: force = M·A·Mᵀ·(velocity +
 /// windspeed) with M = R·S. Turning does not move the point where the force acts.
-class AngledAero : public Aero {
+class CYCLONE_API AngledAero : public Aero {
 public:
     /// As Aero; the tensor is in the surface's own axes.
     AngledAero(const Matrix3 &tensor, const Vector3 &position, const Vector3 *windspeed);

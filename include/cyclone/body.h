@@ -17,7 +17,7 @@ namespace cyclone {
 ///
 /// A body of inverse mass 0 is immovable: no force, torque, acceleration or damping changes its motion. It
 /// still goes on with the velocity and rotation that it is given, so it can serve as a moving platform.
-class RigidBody {
+class CYCLONE_API RigidBody {
 public:
     /// @name Mass and inertia
     /// @{
@@ -169,7 +169,7 @@ public:
     /// @{
 
     /// Everything that the next step depends on, and nothing else. Same state and same forces: the same bits.
-    struct State {
+    struct CYCLONE_API State {
         Vector3 position;
         Quaternion orientation;
         Vector3 velocity, rotation, angularMomentum;

@@ -9,7 +9,7 @@
 namespace cyclone {
 
 /// A surface of water. Derive from it for a sea of your own.
-class Water {
+class CYCLONE_API Water {
 public:
     virtual ~Water() = default;
     /// World height (m) of the surface above or below a world point.
@@ -18,7 +18,7 @@ public:
 
 /// A sea with waves: the sum of trains of sine waves on deep water, whose speed follows from their length,
 /// ω² = g·k (Airy 1845).
-class Waves : public Water {
+class CYCLONE_API Waves : public Water {
 public:
     /// amplitude·sin(k·s − ω·t + phase), where s runs along `direction` and k = 2π/wavelength.
     struct Train {
@@ -57,7 +57,7 @@ private:
 ///
 /// with y the height of the centre of buoyancy and h that of the water: the weight of the displaced water
 /// (Archimedes).
-class Buoyancy : public ForceGenerator {
+class CYCLONE_API Buoyancy : public ForceGenerator {
 public:
     /// centreOfBuoyancy in body coordinates, m; maxDepth (m), volume (m³), liquidDensity (kg/m³) and gravity
     /// (m/s²) positive; waterHeight (m) of still water, world.

@@ -13,7 +13,8 @@
 namespace cyclone {
 
 /// Refuses a call: "RigidBody::setMass: the mass must be positive and finite, not -1".
-[[noreturn]] void refuse(const char *function, const char *rule, std::initializer_list<real> values = {});
+[[noreturn]] CYCLONE_API void refuse(const char *function, const char *rule,
+                                     std::initializer_list<real> values = {});
 
 /// Refuses the call unless its argument keeps the rule; `values` are quoted in the text.
 inline void require(bool kept, const char *function, const char *rule,

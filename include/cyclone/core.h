@@ -63,7 +63,7 @@ public:
     real magnitude() const { return real_sqrt(squareMagnitude()); }
 
     /// Makes the length 1, whatever it was; a zero vector, or one that is not finite, stays as it is.
-    void normalise();
+    CYCLONE_API void normalise();
     Vector3 unit() const {
         Vector3 result = *this;
         result.normalise();
@@ -71,7 +71,7 @@ public:
     }
 
     /// Shortens the vector to `size`, not negative, where it is longer.
-    void trim(real size);
+    CYCLONE_API void trim(real size);
     void invert() { *this = -*this; }
     void clear() { *this = Vector3(); }
 
@@ -90,7 +90,7 @@ inline constexpr Vector3 Vector3::Z(0, 0, 1);
 
 /// An orientation or a rotation: cos(angle/2) + axis·sin(angle/2). As an orientation it is of unit length and
 /// turns body coordinates into world coordinates; q and −q are the same one. The identity by default.
-class Quaternion {
+class CYCLONE_API Quaternion {
 public:
     real r = 1, i = 0, j = 0, k = 0;
 
@@ -149,7 +149,7 @@ public:
 };
 
 /// A 3×3 matrix: a rotation, an inertia tensor, an aerodynamic tensor. All zeros by default.
-class Matrix3 {
+class CYCLONE_API Matrix3 {
 public:
     real data[9] = {};  ///< row by row
 
@@ -231,7 +231,7 @@ public:
 /// An affine transform, 3×4: its last column moves, its fourth row (0 0 0 1) is implied. The identity by
 /// default. As a body's transform it takes body coordinates to world coordinates, and its 3×3 part is a
 /// rotation.
-class Matrix4 {
+class CYCLONE_API Matrix4 {
 public:
     real data[12] = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0};  ///< row by row
 
@@ -304,11 +304,12 @@ public:
 
 /// The principal values and axes of a symmetric matrix: m = R·diag(values)·Rᵀ, where R is the rotation matrix
 /// of `axes` (Jacobi 1846). Of a diagonal matrix the axes are the identity and the values exact.
-void findPrincipalAxes(const Matrix3 &m, Vector3 &values, Quaternion &axes);
+CYCLONE_API void findPrincipalAxes(const Matrix3 &m, Vector3 &values, Quaternion &axes);
 
 /// Checks of arguments, see check.h; their text quotes every number.
-void requireVector(bool kept, const char *function, const char *rule, const Vector3 &value);
-void requireMatrix(bool kept, const char *function, const char *rule, const Matrix3 &value);
-void requireQuaternion(bool kept, const char *function, const char *rule, const Quaternion &value);
+CYCLONE_API void requireVector(bool kept, const char *function, const char *rule, const Vector3 &value);
+CYCLONE_API void requireMatrix(bool kept, const char *function, const char *rule, const Matrix3 &value);
+CYCLONE_API void requireQuaternion(bool kept, const char *function, const char *rule,
+                                   const Quaternion &value);
 
 }  // namespace cyclone

@@ -17,7 +17,7 @@ namespace cyclone {
 ///
 /// Only the number of steps depends on the clock, never their length: the same inputs at the same steps give
 /// the same bits, at every frame rate.
-class FixedStep {
+class CYCLONE_API FixedStep {
 public:
     /// The step's length, and the longest wall-clock time (both s, positive and finite) that is made good at
     /// once. What is beyond is dropped: the simulation slows down rather than fall ever further behind.

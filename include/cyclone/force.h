@@ -12,7 +12,7 @@ namespace cyclone {
 
 /// Something that adds a force, a torque or both to a body in every frame. Derive from it for forces of your
 /// own.
-class ForceGenerator {
+class CYCLONE_API ForceGenerator {
 public:
     virtual ~ForceGenerator() = default;
 
@@ -35,7 +35,7 @@ class JobSystem;
 
 /// Which generator acts on which body. It owns neither: a body or generator must be taken out, or the
 /// registry cleared, before its life ends. (A World takes care of the bodies that are removed from it.)
-class ForceRegistry {
+class CYCLONE_API ForceRegistry {
 public:
     /// Lets the generator act on the body from now on. Added twice, it acts twice.
     void add(RigidBody *body, ForceGenerator *generator);
@@ -94,7 +94,7 @@ private:
 
 /// Gravity as a force: mass·acceleration. For most games RigidBody::setAcceleration does the same for less.
 /// Nothing acts on immovable bodies.
-class Gravity : public ForceGenerator {
+class CYCLONE_API Gravity : public ForceGenerator {
 public:
     /// m/s², world coordinates.
     explicit Gravity(const Vector3 &acceleration = Vector3::GRAVITY);
@@ -107,7 +107,7 @@ private:
 
 /// Drag at the centre of mass, against the velocity v: −v/|v|·(k1·|v| + k2·|v|²). A step is stable while
 /// (k1 + k2·|v|)/mass·duration < 1.
-class Drag : public ForceGenerator {
+class CYCLONE_API Drag : public ForceGenerator {
 public:
     /// k1 in N·s/m, k2 in N·s²/m²; finite and not negative.
     Drag(real k1, real k2);
@@ -121,7 +121,7 @@ private:
 /// A spring from a point of the body to a point of another: along the line d between them −k(|d| − L)·d/|d|,
 /// pulling when stretched, pushing when compressed; at zero length no force. It acts on the body that it is
 /// registered for; register its mirror image for the other.
-class Spring : public ForceGenerator {
+class CYCLONE_API Spring : public ForceGenerator {
 public:
     /// Points in body coordinates, `other` not null and alive as long as the spring acts, springConstant k in
     /// N/m and restLength L in m, finite and not negative.
@@ -141,14 +141,14 @@ protected:
 };
 
 /// A spring that only pulls: slack, it does nothing.
-class Bungee : public Spring {
+class CYCLONE_API Bungee : public Spring {
 public:
     using Spring::Spring;
     void updateForce(RigidBody *body, real duration) override;
 };
 
 /// A spring from a point of the body to a fixed point of the world.
-class AnchoredSpring : public ForceGenerator {
+class CYCLONE_API AnchoredSpring : public ForceGenerator {
 public:
     /// connectionPoint in body coordinates, anchor in world coordinates; constants as for Spring.
     AnchoredSpring(const Vector3 &connectionPoint, const Vector3 &anchor, real springConstant,

@@ -21,7 +21,7 @@ namespace cyclone {
 /// Some bodies side by side, one number of each in every array, so that compilers vectorise the plain loops
 /// over them. Every lane is computed alone: the same operations in the same order, whatever the other lanes
 /// hold.
-struct FreeRotation {
+struct CYCLONE_API FreeRotation {
     static constexpr int LANES = 8;
 
     using Lanes = real[LANES];

@@ -3,6 +3,8 @@
 /// @file
 /// Work shared out over threads: the interface that a World needs, and workers for games without a job
 /// system.
+#include <cyclone/export.h>
+
 #include <cstddef>
 #include <memory>
 
@@ -10,12 +12,12 @@ namespace cyclone {
 
 /// A parallel for-loop. A game engine with threads of its own derives from it and hands it to
 /// World::setJobSystem.
-class JobSystem {
+class CYCLONE_API JobSystem {
 public:
     virtual ~JobSystem() = default;
 
     /// One part of the loop's work; called from any thread, for different indices at once.
-    class Job {
+    class CYCLONE_API Job {
     public:
         virtual ~Job() = default;
         virtual void run(std::size_t index) = 0;
@@ -34,7 +36,7 @@ protected:
 };
 
 /// Threads that wait between frames. One caller at a time.
-class Workers : public JobSystem {
+class CYCLONE_API Workers : public JobSystem {
 public:
     /// With the calling thread, `threadCount` threads share the work; 1 to 256.
     explicit Workers(std::size_t threadCount);

@@ -8,6 +8,8 @@
 #ifndef CYCLONE_PRECISION_H
 #define CYCLONE_PRECISION_H
 
+#include <cyclone/export.h>
+
 #include <cfloat>
 #include <cmath>
 #include <limits>
@@ -54,30 +56,30 @@ inline real real_clamp(real x, real low, real high) { return x < low ? low : (x 
 // every NaN that they return is the same quiet NaN.
 
 /// e to the power x. Overflows to infinity above 709.78, underflows to zero below -745.13.
-real real_exp(real x);
+CYCLONE_API real real_exp(real x);
 
 /// Natural logarithm. Minus infinity at zero, NaN below.
-real real_log(real x);
+CYCLONE_API real real_log(real x);
 
 /// base to the power exponent. A negative base needs an integer exponent, else NaN.
 /// Anything to the power 0, and 1 to the power of anything, is 1: even of NaN.
-real real_pow(real base, real exponent);
+CYCLONE_API real real_pow(real base, real exponent);
 
 /// Sine of an angle in radians, of any size; NaN if it is infinite.
-real real_sin(real angle);
+CYCLONE_API real real_sin(real angle);
 
 /// Cosine of an angle in radians, of any size; NaN if it is infinite.
-real real_cos(real angle);
+CYCLONE_API real real_cos(real angle);
 
 /// The angle in [-pi, pi] of the point (x, y), from the x axis towards the y axis.
 /// Signed zeros choose the side of the cut: (-0, -1) lies at -pi.
-real real_atan2(real y, real x);
+CYCLONE_API real real_atan2(real y, real x);
 
 /// The angle in [-pi/2, pi/2] whose sine is x; NaN outside [-1, 1].
-real real_asin(real x);
+CYCLONE_API real real_asin(real x);
 
 /// The angle in [0, pi] whose cosine is x; NaN outside [-1, 1].
-real real_acos(real x);
+CYCLONE_API real real_acos(real x);
 
 }  // namespace cyclone
 

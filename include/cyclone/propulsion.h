@@ -8,7 +8,7 @@ namespace cyclone {
 
 /// A push of throttle·maxForce along a direction that is fixed to the body: a rocket, a jet, an outboard
 /// motor.
-class Thruster : public ForceGenerator {
+class CYCLONE_API Thruster : public ForceGenerator {
 public:
     /// Direction of the push (any length but zero) and where it acts, m, in body coordinates; maxForce in N,
     /// finite and not negative. The throttle is closed at first.
@@ -36,7 +36,7 @@ protected:
 /// A thruster that bites less the faster it already moves through the air: throttle·maxForce·(1 −
 /// u/pitchSpeed), where u is the speed through the air along the push. Beyond pitchSpeed it brakes, as a
 /// propeller at idle does; backwards it pushes no more than standing still.
-class Propeller : public Thruster {
+class CYCLONE_API Propeller : public Thruster {
 public:
     /// As Thruster. pitchSpeed in m/s, positive: pitch times revolutions. windspeed as for Aero.
     Propeller(const Vector3 &direction, const Vector3 &position, real maxForce, real pitchSpeed,

@@ -16,16 +16,16 @@ namespace cyclone {
 typedef std::vector<std::uint8_t> Snapshot;
 
 /// Replaces the snapshot's content; allocates only where it has been smaller.
-void writeSnapshot(RigidBody *const *bodies, std::size_t count, Snapshot &snapshot);
+CYCLONE_API void writeSnapshot(RigidBody *const *bodies, std::size_t count, Snapshot &snapshot);
 
 /// Why readSnapshot would refuse: not a snapshot, another version, damaged, another number of bodies, or a
 /// state that no body can be in. Null when it would not. For snapshots from a file or a network.
-const char *findSnapshotError(const Snapshot &snapshot, std::size_t count);
+CYCLONE_API const char *findSnapshotError(const Snapshot &snapshot, std::size_t count);
 
 /// Sets every body to its saved state; refuses a snapshot with an error, and changes nothing then.
-void readSnapshot(const Snapshot &snapshot, RigidBody *const *bodies, std::size_t count);
+CYCLONE_API void readSnapshot(const Snapshot &snapshot, RigidBody *const *bodies, std::size_t count);
 
 /// A number that depends on every bit of the states: two machines whose numbers agree are in step.
-std::uint64_t hashStates(RigidBody *const *bodies, std::size_t count);
+CYCLONE_API std::uint64_t hashStates(RigidBody *const *bodies, std::size_t count);
 
 }  // namespace cyclone

@@ -19,7 +19,7 @@ namespace cyclone {
 /// and the same for angular momentum with torque, around the free rotation. A is evaluated once, at the
 /// start; the term with A_last turns the last step's closing kick into one by the force at its end, which is
 /// known only now.
-class StepBlock {
+class CYCLONE_API StepBlock {
 public:
     explicit StepBlock(real h) : duration(h) {}
 

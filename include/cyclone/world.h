@@ -22,7 +22,7 @@ namespace cyclone {
 /// Bodies that are added belong to the caller and must live until they are removed or the world ends; so do
 /// generators in the registry. Bodies that are created belong to the world. Two worlds on two threads never
 /// meet.
-class World {
+class CYCLONE_API World {
 public:
     typedef std::vector<RigidBody *> RigidBodies;
 
