@@ -83,8 +83,9 @@ TEST(Vector3, InPlaceOperationsEqualTheCopyingOnes) {
     EXPECT_EQ(v, Vector3());
     EXPECT_TRUE(a != b && a == a);
     v = a;
-    v += v;
-    v %= v;
+    const Vector3 &itself = v;
+    v += itself;
+    v %= itself;
     EXPECT_EQ(v, Vector3());
 }
 
