@@ -1,5 +1,5 @@
 #include <cyclone/body.h>
-#include <cyclone/prefetch.h>
+#include <cyclone/compiler.h>
 #include <cyclone/step.h>
 
 #include <algorithm>
@@ -235,7 +235,6 @@ void RigidBody::setAwake(bool wake) {
     if (wake) {
         motion = 2 * sleepEpsilon;
         faulted = false;
-        if (!awake) forgetForces();
     } else {
         velocity = rotation = angularMomentum = lastFrameAcceleration = Vector3();
         motion = 0;

@@ -1,6 +1,6 @@
+#include <cyclone/compiler.h>
 #include <cyclone/force.h>
 #include <cyclone/jobs.h>
-#include <cyclone/prefetch.h>
 
 #include <algorithm>
 #include <functional>

@@ -1,22 +1,7 @@
+#include <cyclone/compiler.h>
 #include <cyclone/freerotation.h>
 
 #include <algorithm>
-
-// The loader picks the widest version that the processor has; none of them fuses or reorders operations, so
-// all give the same bits. Sanitizers run before the loader has chosen, and do without.
-#if defined(__x86_64__) && defined(__gnu_linux__) && defined(__GLIBC__) && defined(__GNUC__) && \
-    !defined(__clang__) && !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__) &&   \
-    !defined(__AVX2__)
-#define CYCLONE_WIDEST_VERSION __attribute__((target_clones("default", "avx2")))
-#else
-#define CYCLONE_WIDEST_VERSION
-#endif
-
-#if defined(__GNUC__)
-#define CYCLONE_INLINE [[gnu::always_inline]] inline
-#else
-#define CYCLONE_INLINE inline
-#endif
 
 namespace cyclone {
 

@@ -31,8 +31,6 @@ public:
     Crew(const Crew &) = delete;
     Crew &operator=(const Crew &) = delete;
 
-    std::size_t size() const { return threads.size() + 1; }
-
     void work(std::size_t partCount, Job &work) {
         {
             const std::lock_guard<std::mutex> lock(mutex);
@@ -116,7 +114,5 @@ Workers::Workers(std::size_t threadCount) {
 Workers::~Workers() = default;
 
 void Workers::parallelFor(std::size_t count, Job &job) { crew->work(count, job); }
-
-std::size_t Workers::getThreadCount() const { return crew->size(); }
 
 }  // namespace cyclone

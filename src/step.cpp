@@ -1,25 +1,9 @@
+#include <cyclone/compiler.h>
 #include <cyclone/step.h>
 
 namespace cyclone {
 
-void StepBlock::add(RigidBody &body) {
-    if (body.factorDuration != duration) body.renewDampingFactors(duration);
-    Entry &entry = entries[count];
-    entry.body = &body;
-    kickAndDrift(entry);
-    if (!body.turnsFreely()) return turnLocked(entry);
-    gather(entry, count);
-    if (++count == SIZE) finish();
-}
-
-std::size_t StepBlock::finish() {
-    if (count > 0) turning.advance(count, duration);
-    for (int lane = 0; lane < count; ++lane) scatter(entries[lane], lane);
-    count = 0;
-    return faults;
-}
-
-void StepBlock::kickAndDrift(Entry &entry) const {
+CYCLONE_INLINE void StepBlock::kickAndDrift(Entry &entry) const {
     const RigidBody &body = *entry.body;
     entry.velocity = body.velocity;
     entry.acceleration = entry.torque = entry.angularKick = Vector3();
@@ -59,7 +43,35 @@ Vector3 loadRenumbered(const real (*rows)[FreeRotation::LANES], const int *row, 
 
 }  // namespace
 
-void StepBlock::gather(const Entry &entry, int lane) {
+/// Gives the body its new state, if that is finite; its old one otherwise.
+CYCLONE_INLINE bool StepBlock::takeOver(const Entry &entry, const Quaternion &orientation,
+                                        const Vector3 &rotation, const Vector3 &angularMomentum) {
+    RigidBody &body = *entry.body;
+    const real linearFactor = body.hasFiniteMass() ? body.linearFactor : 1;
+    const Vector3 velocity = entry.velocity * linearFactor + entry.acceleration * (duration / 2);
+    // Whatever is not finite in orientation or momentum shows in the rotation.
+    const Vector3 sum = entry.position + velocity + rotation;
+    if (!real_isfinite(sum.x + sum.y + sum.z)) {
+        body.keepLastGoodState();
+        ++faults;
+        return false;
+    }
+    body.transform.setAxisVector(3, entry.position);
+    body.orientation = orientation;
+    body.velocity = velocity;
+    body.rotation = rotation;
+    body.angularMomentum = angularMomentum;
+    body.lastFrameAcceleration = entry.acceleration;
+
+    const bool isToRemember = body.isGenerated && !body.startsAfresh && body.hasFiniteMass();
+    body.lastDuration = isToRemember ? duration : 0;
+    if (isToRemember) body.lastGenerated = body.generated;
+    body.clearAccumulators();
+    if (body.canSleep) body.fallAsleepIfIdle(entry.torque, duration);
+    return true;
+}
+
+CYCLONE_INLINE void StepBlock::gather(const Entry &entry, int lane) {
     const RigidBody &body = *entry.body;
     const int *row = RENUMBERED[body.middleAxis];
     const Quaternion q = body.hasPrincipalAxes ? body.orientation * body.principalAxes : body.orientation;
@@ -73,7 +85,7 @@ void StepBlock::gather(const Entry &entry, int lane) {
                     momentum * body.angularFactor + entry.torque * (duration / 2));
 }
 
-void StepBlock::scatter(const Entry &entry, int lane) {
+CYCLONE_INLINE void StepBlock::scatter(const Entry &entry, int lane) {
     RigidBody &body = *entry.body;
     const int *row = RENUMBERED[body.middleAxis];
     const Vector3 v = loadRenumbered(turning.orientation + 1, row, lane);
@@ -115,32 +127,21 @@ void StepBlock::turnLocked(const Entry &entry) {
     body.lastDuration = lastDuration;
 }
 
-/// Gives the body its new state, if that is finite; its old one otherwise.
-bool StepBlock::takeOver(const Entry &entry, const Quaternion &orientation, const Vector3 &rotation,
-                         const Vector3 &angularMomentum) {
-    RigidBody &body = *entry.body;
-    const real linearFactor = body.hasFiniteMass() ? body.linearFactor : 1;
-    const Vector3 velocity = entry.velocity * linearFactor + entry.acceleration * (duration / 2);
-    const Vector3 sum = entry.position + velocity + rotation + angularMomentum;
-    if (!real_isfinite(sum.x + sum.y + sum.z + orientation.r + orientation.i + orientation.j +
-                       orientation.k)) {
-        body.keepLastGoodState();
-        ++faults;
-        return false;
-    }
-    body.transform.setAxisVector(3, entry.position);
-    body.orientation = orientation;
-    body.velocity = velocity;
-    body.rotation = rotation;
-    body.angularMomentum = angularMomentum;
-    body.lastFrameAcceleration = entry.acceleration;
+void StepBlock::add(RigidBody &body) {
+    if (body.factorDuration != duration) body.renewDampingFactors(duration);
+    Entry &entry = entries[count];
+    entry.body = &body;
+    kickAndDrift(entry);
+    if (!body.turnsFreely()) return turnLocked(entry);
+    gather(entry, count);
+    if (++count == SIZE) finish();
+}
 
-    const bool isToRemember = body.isGenerated && !body.startsAfresh && body.hasFiniteMass();
-    body.lastDuration = isToRemember ? duration : 0;
-    if (isToRemember) body.lastGenerated = body.generated;
-    body.clearAccumulators();
-    if (body.canSleep) body.fallAsleepIfIdle(entry.torque, duration);
-    return true;
+std::size_t StepBlock::finish() {
+    if (count > 0) turning.advance(count, duration);
+    for (int lane = 0; lane < count; ++lane) scatter(entries[lane], lane);
+    count = 0;
+    return faults;
 }
 
 }  // namespace cyclone

@@ -125,7 +125,7 @@ public:
     void addTorque(const Vector3 &torque) { addLoad(Vector3(), torque); }
     /// Takes back what has been added since the last step.
     void clearAccumulators() {
-        if (hasAdded || isGenerated) dropLoads();
+        if (hasAdded || isGenerated || startsAfresh) dropLoads();
     }
     /// @}
 
@@ -222,7 +222,7 @@ private:
     /// Nothing to remember; nor after this step, when some generators have been called for it already.
     void forgetForces() {
         lastDuration = 0;
-        startsAfresh = isGenerated;
+        if (isGenerated) startsAfresh = true;
     }
     void setPrincipalInertia(const Matrix3 &tensor, bool isInverse, const char *function);
     void setPrincipalFrame(const Vector3 &inverseMoments, const Quaternion &axes);

@@ -1,5 +1,6 @@
 #pragma once
 
+/// @file
 /// Errors: a clear word, and nothing lost.
 ///
 /// Constructors and setters check their arguments before they change anything. A bad one ends in

@@ -1,5 +1,6 @@
 #pragma once
 
+/// @file
 /// The core mathematics: vectors, quaternions, and 3×3 and 3×4 matrices. No physics in it.
 ///
 /// Axes are right-handed. A vector is a column on the right of a matrix; matrices are stored row by row.

@@ -19,8 +19,9 @@ namespace cyclone {
 /// the same bits, at every frame rate.
 class CYCLONE_API FixedStep {
 public:
-    /// The step's length, and the longest wall-clock time (both s, positive and finite) that is made good at
-    /// once. What is beyond is dropped: the simulation slows down rather than fall ever further behind.
+    /// The step's length (s, positive), and the longest wall-clock time (s, between one step and a million
+    /// steps) that is made good at once. What is beyond is dropped: the simulation slows down rather than
+    /// fall ever further behind.
     explicit FixedStep(real step = 1.0 / 60, real longest = 0.25);
 
     /// Takes the time that has passed since the last call (s, not negative) and says how many steps to run

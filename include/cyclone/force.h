@@ -17,8 +17,12 @@ public:
     virtual ~ForceGenerator() = default;
 
     /// Adds this generator's force to the body, for a step of `duration` seconds. What it adds should change
-    /// smoothly from step to step: the step takes it for second-order accuracy. Kicks and one-frame forces
-    /// belong to RigidBody::addForce or addVelocity, outside of generators.
+    /// smoothly from step to step, for the step takes it for second-order accuracy: a throttle that is opened
+    /// between two frames gives F·h/2 more at first, and as much less when it is closed. Kicks and one-frame
+    /// forces belong to RigidBody::addForce or addVelocity, outside of generators.
+    ///
+    /// What it adds to other bodies of the same World is treated the same way; elsewhere that counts plainly,
+    /// like a caller's force.
     virtual void updateForce(RigidBody *body, real duration) = 0;
 
     /// Whether updateForce changes nothing but the forces on the body that it is given, and so may be called

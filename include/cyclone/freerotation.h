@@ -1,5 +1,6 @@
 #pragma once
 
+/// @file
 /// The free rotation of rigid bodies: what happens to an orientation while no torque acts.
 ///
 /// Euler's equations are advanced by a splitting that keeps angular momentum exactly and is of fourth order

@@ -26,8 +26,6 @@ public:
     /// Runs the job once for each index below count, and returns when all have been run. If one throws, the
     /// others may be left out, and the exception reaches the caller.
     virtual void parallelFor(std::size_t count, Job &job) = 0;
-    /// How many threads may run at once, to choose the size of the parts.
-    virtual std::size_t getThreadCount() const = 0;
 
 protected:
     JobSystem() = default;
@@ -45,7 +43,6 @@ public:
     Workers &operator=(const Workers &) = delete;
 
     void parallelFor(std::size_t count, Job &job) override;
-    std::size_t getThreadCount() const override;
 
 private:
     class Crew;

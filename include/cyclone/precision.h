@@ -1,3 +1,5 @@
+#pragma once
+
 /// @file
 /// The number type of the library, and its elementary functions.
 ///
@@ -5,9 +7,6 @@
 /// fixed order and never calls the C library's exp, pow, sin and the like, which differ from one
 /// machine to the next. Compile with -ffp-contract=off, lest a compiler fuse a * b + c into one rounding.
 /// Rounding to nearest, the processor's default, is assumed.
-#ifndef CYCLONE_PRECISION_H
-#define CYCLONE_PRECISION_H
-
 #include <cyclone/export.h>
 
 #include <cfloat>
@@ -38,7 +37,7 @@ inline constexpr real REAL_MAX = std::numeric_limits<real>::max();
 /// The distance from 1 to the next larger number, 2^-52.
 inline constexpr real REAL_EPSILON = std::numeric_limits<real>::epsilon();
 
-inline constexpr real REAL_PI = 3.14159265358979323846;
+inline constexpr real REAL_PI = 3.14159265358979323846;  ///< π
 
 /// Correctly rounded, as IEEE demands; NaN below zero.
 inline real real_sqrt(real x) { return std::sqrt(x); }
@@ -82,5 +81,3 @@ CYCLONE_API real real_asin(real x);
 CYCLONE_API real real_acos(real x);
 
 }  // namespace cyclone
-
-#endif
