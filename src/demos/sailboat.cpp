@@ -18,5 +18,5 @@ int main(int argc, char *argv[]) {
     demo::Sailing sailing;
     return demo::runDemonstration(
         sailing, argc, argv,
-        {{"polar", "how fast she sails at every angle to three winds, as an SVG picture", drawPolarDiagram}});
+        {{"polar", "Draw how fast she sails at every angle to the wind, SVG", drawPolarDiagram}});
 }

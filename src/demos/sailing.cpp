@@ -52,9 +52,9 @@ Profile makeProfile() {
     profile.program = "sailboat";
     profile.summary = "Sail a catamaran in a terminal: a rigid body of the Cyclone physics library.";
     profile.settings = {
-        {"wind", "SPEED", "mean wind from the north, m/s", 6, 0, 15},
-        {"gusts", "SPEED", "how much the wind changes (root mean square), m/s", 0.8, 0, 5},
-        {"waves", "HEIGHT", "height of the waves, m; 0 is a calm sea", 0.3, 0, 1.5},
+        {"wind", "SPEED", "Mean wind, from the north, m/s", 6, 0, 15},
+        {"gusts", "SPEED", "How much the wind changes (root mean square), m/s", 0.8, 0, 5},
+        {"waves", "HEIGHT", "Height of the waves, m; 0 is a calm sea", 0.3, 0, 1.5},
     };
     profile.controls = {
         {"rudder", -Catamaran::MAX_RUDDER / DEGREE, Catamaran::MAX_RUDDER / DEGREE, 0, 'a', 'd', 4, true},
@@ -93,8 +93,8 @@ Profile makeProfile() {
     for (std::size_t n = 0; n < MARKS.size(); ++n)
         profile.parts.push_back(makeMark(MARKS[n].name + " mark", MARK_COLOURS[n]));
     profile.newtonsPerMetre = NEWTONS_PER_METRE;
-    profile.outlook.spectator = Vector3(-14, 4, 18);
-    profile.outlook.distance = 17;
+    profile.outlook.spectator = Vector3(-16, 4, 20);
+    profile.outlook.distance = 20;
     profile.outlook.spectatorFollows = true;
     profile.duration = 150;
     return profile;
@@ -291,9 +291,10 @@ std::string Sailing::getHeadUpLine() const {
     if (heading < 0) heading += 360;
     std::ostringstream line;
     line << std::setfill('0') << std::setw(3) << heading << "°  " << fixed(boat.getSpeed(), 1) << " m/s  "
-         << pointOfSail(boat.getTrueWindAngle()) << "  wind " << fixed(boat.getApparentWindSpeed(), 1)
-         << " m/s " << sided(boat.getApparentWindAngle()) << "  heel " << sided(boat.getHeel()) << "  sail "
-         << sided(boat.getSail()) << "  rudder " << sided(boat.getRudder());
+         << pointOfSail(boat.getTrueWindAngle()) << "  apparent wind "
+         << fixed(boat.getApparentWindSpeed(), 1) << " m/s " << sided(boat.getApparentWindAngle())
+         << "  heel " << sided(boat.getHeel()) << "  sail " << sided(boat.getSail()) << "  rudder "
+         << sided(boat.getRudder());
     return line.str();
 }
 
