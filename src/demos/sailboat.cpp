@@ -1,4 +1,4 @@
-#include <ostream>
+#include <iostream>
 
 #include "loop.h"
 #include "polar_chart.h"
@@ -8,7 +8,10 @@ namespace {
 
 void drawPolarDiagram(std::ostream &out) {
     std::vector<demo::Polar> polars;
-    for (const demo::real windspeed : {4.0, 6.0, 8.0}) polars.push_back(demo::measurePolar(windspeed, 45));
+    for (const int windspeed : {4, 6, 8}) {
+        std::cerr << "sailing in a wind of " << windspeed << " m/s\n";
+        polars.push_back(demo::measurePolar(windspeed, 60));
+    }
     demo::drawPolars(out, polars);
 }
 
