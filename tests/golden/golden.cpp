@@ -1,0 +1,129 @@
+/// Same input, same bits: runs a rich scene and compares the hash of all its states with the one number that
+/// every compiler, every optimisation and every processor must give.
+///
+///     cyclone_golden              runs and compares; exit status 1 if anything is wrong
+///     cyclone_golden 700 703      prints every body's hash after these frames too, to see where builds part
+///
+/// The number is this library's own output. It proves nothing about the physics, which other tests check
+/// against closed forms and other people's data; it proves that this build computes what all others do. When
+/// the step or the scene is changed on purpose, the number changes: run.sh beside this file shows whether all
+/// builds agree on the new one.
+#include <cstdio>
+#include <cstdlib>
+#include <vector>
+
+#include "scene.h"
+
+namespace {
+
+using cyclone::real;
+using cyclone::RigidBody;
+using golden::Scene;
+
+constexpr std::uint64_t GOLDEN = 0xf1dc6586c8701f41;
+constexpr int FRAMES = 3000;
+
+[[noreturn]] void fail(const char *what, int frame) {
+    std::printf("cyclone_golden: frame %d: %s\n", frame, what);
+    std::exit(1);
+}
+
+void expect(bool holds, const char *otherwise, int frame) {
+    if (!holds) fail(otherwise, frame);
+}
+
+/// Watches that the scene is worth hashing: nothing faults or runs away, and everything takes part.
+class Witness {
+public:
+    explicit Witness(const Scene &s)
+        : scene(s), hasActed(s.getActions().size(), false), wasAwake(s.getWorld().getBodies().size(), true) {}
+
+    /// Before the step.
+    void watchForces() {
+        if (scene.getFrame() >= Scene::FIRST_CHANGE_OF_STRUCTURE) return;
+        for (std::size_t n = 0; n < hasActed.size(); ++n) {
+            const Scene::Action &action = scene.getActions()[n];
+            RigidBody copy = *action.body;
+            copy.clearAccumulators();
+            action.generator->updateForce(&copy, scene.getDuration());
+            if (copy.getState().addedForce != cyclone::Vector3()) hasActed[n] = true;
+        }
+    }
+    /// After the step.
+    void watchBodies(real duration) {
+        const int frame = scene.getFrame();
+        expect(scene.getWorld().getFaultedBodies().empty(), "a body has faulted", frame);
+        real energy = 0;
+        const auto &bodies = scene.getWorld().getBodies();
+        for (std::size_t n = 0; n < bodies.size(); ++n) {
+            const RigidBody &body = *bodies[n];
+            expect(body.getPosition().magnitude() < 5000, "a body has run away", frame);
+            if (body.hasFiniteMass())
+                energy += 0.5 * body.getMass() * body.getVelocity().squareMagnitude() +
+                          0.5 * body.getRotation() * body.getAngularMomentum();
+            if (body.getRotation().magnitude() * duration > 3) ++fastTurns;
+            if (n >= wasAwake.size()) continue;
+            if (wasAwake[n] && !body.getAwake()) ++timesAsleep;
+            if (!wasAwake[n] && body.getAwake()) ++timesWoken;
+            wasAwake[n] = body.getAwake();
+        }
+        expect(energy > 100 && energy < 1e5, "the energy is out of all bounds", frame);
+    }
+    void conclude() const {
+        for (bool has : hasActed) expect(has, "a generator has never acted", FRAMES);
+        expect(timesAsleep > 10 && timesWoken > 10, "too few bodies have slept and woken", FRAMES);
+        expect(fastTurns > FRAMES, "too few steps have needed substeps", FRAMES);
+    }
+
+private:
+    const Scene &scene;
+    std::vector<bool> hasActed, wasAwake;
+    int timesAsleep = 0, timesWoken = 0, fastTurns = 0;
+};
+
+void printBodies(const Scene &scene) {
+    const auto &bodies = scene.getWorld().getBodies();
+    for (std::size_t n = 0; n < bodies.size(); ++n)
+        std::printf("frame %d body %zu %016llx\n", scene.getFrame(), n,
+                    static_cast<unsigned long long>(cyclone::hashStates(&bodies[n], 1)));
+}
+
+/// The hash of all states over the whole run.
+std::uint64_t run(std::size_t threads, int printFrom, int printTo) {
+    Scene scene(threads);
+    Witness witness(scene);
+    std::uint64_t total = 0;
+    for (int n = 0; n < FRAMES; ++n) {
+        const real duration = scene.getDuration();
+        scene.steer();
+        witness.watchForces();
+        scene.step();
+        witness.watchBodies(duration);
+
+        const int frame = scene.getFrame();
+        if (frame >= printFrom && frame <= printTo) printBodies(scene);
+        if (frame % 10 != 0) continue;
+        total = (total ^ scene.getWorld().hash()) * 0x9e3779b97f4a7c15;
+        total ^= total >> 32;
+        if (frame % 500 == 0)
+            std::printf("frame %4d, %zu bodies: %016llx\n", frame, scene.getWorld().getBodies().size(),
+                        static_cast<unsigned long long>(total));
+    }
+    witness.conclude();
+    return total;
+}
+
+}  // namespace
+
+int main(int argc, char **argv) {
+    const int from = argc > 1 ? std::atoi(argv[1]) : FRAMES + 1;
+    const int to = argc > 2 ? std::atoi(argv[2]) : from;
+    const std::uint64_t alone = run(0, from, to);
+    std::printf("with three threads:\n");
+    const std::uint64_t shared = run(3, FRAMES + 1, FRAMES);
+    if (alone == GOLDEN && shared == GOLDEN) return 0;
+    std::printf("cyclone_golden: got %016llx alone and %016llx with threads, wanted %016llx\n",
+                static_cast<unsigned long long>(alone), static_cast<unsigned long long>(shared),
+                static_cast<unsigned long long>(GOLDEN));
+    return 1;
+}

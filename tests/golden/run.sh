@@ -1,0 +1,67 @@
+#!/usr/bin/env bash
+# Same input, same bits: builds the library and the golden scene with several compilers, at several levels of
+# optimisation, for several processors, and runs each. One line per configuration; exit status 0 if all give
+# the golden number. Needs qemu-user-static, g++-aarch64-linux-gnu and g++-riscv64-linux-gnu on Debian.
+set -eu
+root=$(cd "$(dirname "$0")/../.." && pwd)
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+
+# The emulator, if any, before the colon; compiler and options after it.
+configurations=(
+    ": g++ -O0"
+    ": g++ -O3 -march=native"
+    ": g++ -O2 -flto"
+    ": clang++ -O2"
+    ": clang++ -O3"
+    ": clang++ -O3 -march=native -flto"
+    "qemu-aarch64-static: aarch64-linux-gnu-g++ -O2 -static"
+    "qemu-riscv64-static: riscv64-linux-gnu-g++ -O2 -static"
+)
+flags="-std=c++17 -ffp-contract=off -fno-math-errno -I$root/include -pthread"
+
+# Writes "same" or what went wrong to its result.
+check() { # number emulator compiler options…
+    local program=$work/golden$1 log=$work/log$1 result=$work/result$1 emulator=$2
+    shift 2
+    if ! "$@" $flags "$root"/src/*.cpp "$root"/tests/golden/*.cpp -o "$program" >"$log" 2>&1; then
+        echo "does not build" >"$result"
+    elif ! timeout 300 $emulator "$program" >"$log" 2>&1; then
+        echo "differs or fails" >"$result"
+    else
+        echo "same" >"$result"
+    fi
+}
+
+jobs_at_once=$(nproc)
+for n in "${!configurations[@]}"; do
+    while [ "$(jobs -rp | wc -l)" -ge "$jobs_at_once" ]; do wait -n; done
+    check "$n" "${configurations[$n]%%:*}" ${configurations[$n]#*: } &
+done
+wait
+
+failures=0
+for n in "${!configurations[@]}"; do
+    result=$(cat "$work/result$n")
+    printf '%-60s %s\n' "${configurations[$n]#*: }" "$result"
+    [ "$result" = same ] && continue
+    failures=$((failures + 1))
+    tail -n 20 "$work/log$n"
+done
+
+# Arithmetic that is not exact is refused.
+for options in "g++ -ffast-math" "g++ -Ofast" "g++ -ffinite-math-only" "clang++ -ffast-math" "clang++ -Ofast"; do
+    if $options $flags -fsyntax-only "$root/tests/golden/golden.cpp" >"$work/refusal" 2>&1 ||
+        ! grep -q "error.*Cyclone" "$work/refusal"; then
+        printf '%-60s %s\n' "$options" "is not refused"
+        failures=$((failures + 1))
+    else
+        printf '%-60s %s\n' "$options" "refused"
+    fi
+done
+
+if [ $failures -gt 0 ]; then
+    echo "Same input, same bits: $failures failures"
+    exit 1
+fi
+echo "Same input, same bits: ${#configurations[@]} configurations agree"
