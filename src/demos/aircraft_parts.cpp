@@ -32,10 +32,10 @@ Part makeBody() {
              ringAcrossX({0.38, 0.09, 0}, 0.11, 0.09), ringAcrossX({0.46, 0.1, 0}, 0.05, 0.05)},
             CREAM);
     addBox(part, {-0.02, 0.18, -0.075}, {0.22, 0.33, 0.075}, GLASS);
-    // Wings, a little higher at the tips, and their struts.
+    // Wings and their struts.
     addLoft(
         part,
-        {section(0.34, 0.12, 0.385, -0.75), section(0.44, 0.12, 0.35, 0), section(0.34, 0.12, 0.385, 0.75)},
+        {section(0.34, 0.12, 0.352, -0.75), section(0.44, 0.12, 0.35, 0), section(0.34, 0.12, 0.352, 0.75)},
         RED);
     for (const real side : {-1.0, 1.0})
         addBar(part, {0.22, 0, 0.09 * side}, {0.25, 0.36, 0.42 * side}, 0.018, DARK);

@@ -68,7 +68,7 @@ Profile makeProfile() {
     profile.parts = makeFlightParts();
     profile.paint = paintRunway();
     profile.newtonsPerMetre = NEWTONS_PER_METRE;
-    profile.outlook = {Vector3(20, 1.7, 16), 4.5, false};
+    profile.outlook = {Vector3(20, 1.7, -16), 4.5, false};
     profile.duration = 120;
     return profile;
 }

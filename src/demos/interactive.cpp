@@ -91,8 +91,6 @@ bool Show::handle(Key key) {
         case 'r':
             session.takeControls();
             session.restart();
-            before = demonstration.getFrame();
-            before.cut = true;
             break;
         default:
             changeControl(key);

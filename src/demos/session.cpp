@@ -107,7 +107,8 @@ void Session::restart() {
     demonstration.startOver();
     inputs.changes.push_back({steps, Script::RESTART, 0});
     for (std::size_t n = 0; n < noted.size(); ++n) noted[n] = demonstration.getControl(n);
-    cutPending = true;
+    frame = demonstration.getFrame();
+    frame.cut = cutPending = true;
 }
 
 void Session::noteInputs() {

@@ -61,7 +61,9 @@ Camera Stage::aim(const Frame &frame, real elapsed) {
     if (viewpoint == Viewpoint::CHASE) {
         camera.eye = body.position - behind * distance + Vector3::UP * (0.3 * distance);
     } else if (viewpoint == Viewpoint::SIDE) {
-        camera.eye = body.position + behind % Vector3::UP * distance + Vector3::UP * (0.2 * distance);
+        // From port, where the sun is at the start, and a little from behind.
+        const Vector3 port = Vector3::UP % behind;
+        camera.eye = body.position + (port * 0.8 - behind * 0.5 + Vector3::UP * 0.3) * distance;
     } else {
         camera.eye = profile.outlook.spectator;
         if (profile.outlook.spectatorFollows) camera.eye += Vector3(body.position.x, 0, body.position.z);
