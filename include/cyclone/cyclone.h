@@ -6,5 +6,7 @@
 #include <cyclone/core.h>
 #include <cyclone/fgen.h>
 #include <cyclone/fixedstep.h>
+#include <cyclone/massproperties.h>
 #include <cyclone/precision.h>
+#include <cyclone/version.h>
 #include <cyclone/world.h>
