@@ -1,6 +1,4 @@
 #include <cyclone/body.h>
-#include <cyclone/compiler.h>
-#include <cyclone/step.h>
 
 #include <algorithm>
 
@@ -383,28 +381,6 @@ RigidBody::State RigidBody::State::linearInterpolate(const State &a, const State
     result.rotation = between(a.rotation, b.rotation);
     result.orientation = Quaternion::linearInterpolate(a.orientation, b.orientation, prop);
     return result;
-}
-
-// ---- The step
-
-bool RigidBody::integrate(real duration) {
-    RigidBody *const self = this;
-    return integrate(&self, 1, duration) == 0;
-}
-
-std::size_t RigidBody::integrate(RigidBody *const *bodies, std::size_t count, real duration) {
-    require(duration >= 0 && duration <= REAL_MAX, "RigidBody::integrate",
-            "the duration must be finite and not negative", {duration});
-    if (duration == 0) {
-        for (std::size_t n = 0; n < count; ++n) bodies[n]->clearAccumulators();
-        return 0;
-    }
-    StepBlock block(duration);
-    for (std::size_t n = 0; n < count; ++n) {
-        if (n + FETCH_AHEAD < count) fetch(bodies[n + FETCH_AHEAD], offsetof(RigidBody, added));
-        if (bodies[n]->awake) block.add(*bodies[n]);
-    }
-    return block.finish();
 }
 
 }  // namespace cyclone

@@ -144,4 +144,24 @@ std::size_t StepBlock::finish() {
     return faults;
 }
 
+bool RigidBody::integrate(real duration) {
+    RigidBody *const self = this;
+    return integrate(&self, 1, duration) == 0;
+}
+
+std::size_t RigidBody::integrate(RigidBody *const *bodies, std::size_t count, real duration) {
+    require(duration >= 0 && duration <= REAL_MAX, "RigidBody::integrate",
+            "the duration must be finite and not negative", {duration});
+    if (duration == 0) {
+        for (std::size_t n = 0; n < count; ++n) bodies[n]->clearAccumulators();
+        return 0;
+    }
+    StepBlock block(duration);
+    for (std::size_t n = 0; n < count; ++n) {
+        if (n + FETCH_AHEAD < count) fetch(bodies[n + FETCH_AHEAD], offsetof(RigidBody, added));
+        if (bodies[n]->awake) block.add(*bodies[n]);
+    }
+    return block.finish();
+}
+
 }  // namespace cyclone
