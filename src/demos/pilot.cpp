@@ -11,8 +11,10 @@ constexpr real DEGREE = REAL_PI / 180;
 constexpr real CIRCUIT_HEIGHT = 15;      // m
 constexpr real DOWNWIND_Z = -50;         // m
 constexpr real BASE_X = -55, AIM_X = 8;  // m
+constexpr real LAST_TOUCH_DOWN_X = 70;   // m
 constexpr real GLIDE_SLOPE = 0.125;
-constexpr real FLARE_HEIGHT = 1.2;  // m
+constexpr real FLARE_HEIGHT = 1.2;   // m
+constexpr real MAX_AIRSPEED = 10.5;  // m/s
 constexpr real MAX_BANK = 32 * DEGREE;
 
 real wrapped(real angle) {
@@ -23,6 +25,12 @@ real wrapped(real angle) {
 
 real heightOf(const Aircraft &aircraft) {
     return aircraft.getBody().getPosition().y - Aircraft::WHEEL_HEIGHT;
+}
+
+/// The faster it flies, the less stick it takes.
+real stickScale(const Aircraft &aircraft) {
+    const real speed = aircraft.getAirspeed();
+    return speed > Aircraft::LEVEL_SPEED ? Aircraft::LEVEL_SPEED / speed : 1;
 }
 
 real groundSpeed(const Aircraft &aircraft) {
@@ -77,8 +85,10 @@ void Pilot::chooseLeg(const Aircraft &aircraft) {
             break;
         case Leg::FINAL:
             if (height < FLARE_HEIGHT) leg = Leg::FLARE;
+            if (position.x > LAST_TOUCH_DOWN_X) leg = Leg::CLIMB;  // once more
             break;
         case Leg::FLARE:
+            if (position.x > LAST_TOUCH_DOWN_X) leg = Leg::CLIMB;
             if (aircraft.isOnGround()) leg = Leg::ROLL_OUT;
             break;
         case Leg::ROLL_OUT:
@@ -131,7 +141,8 @@ void Pilot::follow(const Aircraft &aircraft, real course, real offTrack) {
     const real wanted = course - real_clamp(0.03 * offTrack, -0.6, 0.6);
     const real bank = real_clamp(0.9 * wrapped(wanted - track), -MAX_BANK, MAX_BANK);
     const real rollRate = body.getDirectionInLocalSpace(body.getRotation()).x;
-    sticks.roll = real_clamp(0.17 * bank + 1.2 * (bank - aircraft.getRoll()) - 0.12 * rollRate, -0.8, 0.8);
+    const real stick = 0.17 * bank + 1.2 * (bank - aircraft.getRoll()) - 0.12 * rollRate;
+    sticks.roll = real_clamp(stick, -0.8, 0.8) * stickScale(aircraft);
     sticks.rudder = 0;
 }
 
@@ -142,8 +153,11 @@ void Pilot::holdClimb(const Aircraft &aircraft, real climb, real duration) {
     const real pitchRate = body.getDirectionInLocalSpace(body.getRotation()).z;
 
     const real pitch = (climb + 1.0 * (climb - body.getVelocity().y)) / Aircraft::LEVEL_SPEED;
+    // Not far down: pushed, the chapter's wings pull the aircraft forward. Too fast, it is braked by pulling.
+    const real tooFast = real_clamp(airspeed - MAX_AIRSPEED, 0, 5);
+    const real stick = 2 * (pitch - aircraft.getPitch()) - 0.4 * pitchRate + 0.4 * bank * bank;
     sticks.pitch =
-        real_clamp(2.0 * (pitch - aircraft.getPitch()) - 0.4 * pitchRate + 0.4 * bank * bank, -0.6, 0.6);
+        real_clamp(real_clamp(stick, -0.35, 0.6) + 0.15 * tooFast, -0.35, 0.6) * stickScale(aircraft);
 
     const real tooSlow = Aircraft::LEVEL_SPEED * (1 + 0.25 * bank * bank) - airspeed;
     throttleTrim = real_clamp(throttleTrim + 0.03 * tooSlow * duration, -0.3, 0.3);
