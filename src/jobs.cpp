@@ -11,7 +11,8 @@
 
 namespace cyclone {
 
-/// The threads and what they share. A new task is announced by counting up; every thread looks at every task.
+/// The threads and what they share. A task is announced by counting up. The caller waits for the threads that
+/// have joined in, not for those that wake too late to find any part left.
 class Workers::Crew {
 public:
     Crew() = default;
@@ -37,13 +38,13 @@ public:
             job = &work;
             count = partCount;
             next = 0;
-            busy = threads.size();
             ++task;
         }
         announcement.notify_all();
         takeParts();
         std::unique_lock<std::mutex> lock(mutex);
-        completion.wait(lock, [this] { return busy == 0; });
+        completion.wait(lock, [this] { return active == 0; });
+        job = nullptr;
         rethrowFailure();
     }
 
@@ -54,10 +55,12 @@ private:
             announcement.wait(lock, [&] { return ending || task != seen; });
             if (ending) return;
             seen = task;
+            if (job == nullptr) continue;
+            ++active;
             lock.unlock();
             takeParts();
             lock.lock();
-            if (--busy == 0) completion.notify_one();
+            if (--active == 0) completion.notify_one();
         }
     }
 
@@ -90,7 +93,7 @@ private:
     Job *job = nullptr;
     std::size_t count = 0;
     std::atomic<std::size_t> next{0};
-    std::size_t task = 0, busy = 0;
+    std::size_t task = 0, active = 0;
     bool ending = false;
 #ifdef __cpp_exceptions
     std::exception_ptr failure;

@@ -88,8 +88,8 @@ public:
     /// The frame's work can be shared out. The result does not depend on it, not by one bit.
     /// @{
 
-    /// Lets `threadCount` threads work on each frame, the calling one among them, at most 256; 0 or 1:
-    /// only that.
+    /// Lets `threadCount` threads work on each frame, the calling one among them, at most 256; 0 or 1: only
+    /// that. Worth it from a few thousand bodies on.
     void setWorkers(std::size_t threadCount);
     /// Uses the host's own job system, which must outlive the world; null: none.
     void setJobSystem(JobSystem *hostJobs);
