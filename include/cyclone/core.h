@@ -197,8 +197,8 @@ public:
     /// Becomes the inverse of m, which may be this matrix itself. Returns false, and changes nothing, when m
     /// is singular: when its determinant does not stand out from the rounding of the products it is summed
     /// from.
-    [[nodiscard]] bool setInverse(const Matrix3 &m);
-    [[nodiscard]] bool invert() { return setInverse(*this); }
+    bool setInverse(const Matrix3 &m);
+    bool invert() { return setInverse(*this); }
     /// The inverse; refuses a singular matrix.
     Matrix3 inverse() const;
 
@@ -281,8 +281,8 @@ public:
     constexpr real getDeterminant() const { return getAxisVector(0) * (getAxisVector(1) % getAxisVector(2)); }
     /// Becomes the inverse of m, which may be this matrix itself. Returns false, and changes nothing, when m
     /// is singular.
-    [[nodiscard]] bool setInverse(const Matrix4 &m);
-    [[nodiscard]] bool invert() { return setInverse(*this); }
+    bool setInverse(const Matrix4 &m);
+    bool invert() { return setInverse(*this); }
     /// The inverse; refuses a singular matrix.
     Matrix4 inverse() const;
 
