@@ -1,0 +1,76 @@
+#include <cyclone/print.h>
+
+#include <locale>
+#include <ostream>
+#include <sstream>
+#include <string>
+
+namespace cyclone {
+
+namespace {
+
+/// With so many digits, and without a locale.
+std::string textOf(real number, int digits) {
+    std::ostringstream text;
+    text.imbue(std::locale::classic());
+    text.precision(digits);
+    text << number;
+    return text.str();
+}
+
+real readFrom(const std::string &text) {
+    std::istringstream stream(text);
+    stream.imbue(std::locale::classic());
+    real number = 0;
+    stream >> number;
+    return number;
+}
+
+std::string textOf(real number) {
+    if (number != number) return "nan";
+    for (int digits = 15; digits < 17; ++digits) {
+        const std::string text = textOf(number, digits);
+        if (readFrom(text) == number) return text;
+    }
+    return textOf(number, 17);
+}
+
+std::string withSign(real number) {
+    const std::string text = textOf(number);
+    return text[0] == '-' ? text : '+' + text;
+}
+
+std::string textOf(const Vector3 &v) {
+    return '(' + textOf(v.x) + ", " + textOf(v.y) + ", " + textOf(v.z) + ')';
+}
+
+std::string textOf(const Quaternion &q) {
+    return textOf(q.r) + withSign(q.i) + 'i' + withSign(q.j) + 'j' + withSign(q.k) + 'k';
+}
+
+std::string textOfRows(const real *entries, int columns) {
+    std::string text = "[";
+    for (int n = 0; n < 3 * columns; ++n)
+        text += (n == 0 ? "" : n % columns == 0 ? "; " : " ") + textOf(entries[n]);
+    return text + ']';
+}
+
+}  // namespace
+
+std::ostream &operator<<(std::ostream &stream, const Vector3 &v) { return stream << textOf(v); }
+
+std::ostream &operator<<(std::ostream &stream, const Quaternion &q) { return stream << textOf(q); }
+
+std::ostream &operator<<(std::ostream &stream, const Matrix3 &m) { return stream << textOfRows(m.data, 3); }
+
+std::ostream &operator<<(std::ostream &stream, const Matrix4 &m) { return stream << textOfRows(m.data, 4); }
+
+std::ostream &operator<<(std::ostream &stream, const RigidBody &body) {
+    const std::string mass = body.hasFiniteMass() ? textOf(body.getMass()) + " kg" : "immovable";
+    const char *const sleep = body.hasFaulted() ? ", faulted" : body.getAwake() ? "" : ", asleep";
+    return stream << mass + " at " + textOf(body.getPosition()) + ", orientation " +
+                         textOf(body.getOrientation()) + ", velocity " + textOf(body.getVelocity()) +
+                         ", rotation " + textOf(body.getRotation()) + sleep;
+}
+
+}  // namespace cyclone
