@@ -18,19 +18,18 @@ std::string textOf(real number, int digits) {
     return text.str();
 }
 
-real readFrom(const std::string &text) {
+bool readsBackAs(real number, const std::string &text) {
     std::istringstream stream(text);
     stream.imbue(std::locale::classic());
-    real number = 0;
-    stream >> number;
-    return number;
+    real found = 0;
+    return stream >> found && found == number;
 }
 
 std::string textOf(real number) {
     if (number != number) return "nan";
     for (int digits = 15; digits < 17; ++digits) {
         const std::string text = textOf(number, digits);
-        if (readFrom(text) == number) return text;
+        if (readsBackAs(number, text)) return text;
     }
     return textOf(number, 17);
 }
