@@ -26,7 +26,9 @@ public:
           profile(d.getProfile()),
           stage(profile),
           clock(profile.step),
-          before(s.getFrame()) {}
+          before(s.getFrame()) {
+        if (s.getDriver() == Driver::PILOT) say("the pilot has control until you touch one");
+    }
 
     /// False once the user wants to leave.
     bool handle(Key key);
