@@ -1,5 +1,6 @@
 #include <cyclone/precision.h>
 
+#include <cstddef>
 #include <cstdint>
 #include <cstring>
 
@@ -17,9 +18,7 @@ constexpr real SMALLEST_NORMAL = std::numeric_limits<real>::min();
 /// Below it sin(x), asin(x) and atan(x) are x, to a thousandth of an ulp and better.
 constexpr real TINY = 0x1p-30;
 
-// ---------------------------------------------------------------------------------------------
-// Bits
-// ---------------------------------------------------------------------------------------------
+// ---- Bits
 
 std::uint64_t to_bits(real x) {
     std::uint64_t bits;
@@ -108,16 +107,14 @@ DoubleDouble square_root(DoubleDouble a) {
 }
 
 /// c[0] + c[1] x + c[2] x^2 + ... by Horner's rule.
-template <int N>
+template <std::size_t N>
 real polynomial(real x, const real (&c)[N]) {
     real value = c[N - 1];
-    for (int i = N - 2; i >= 0; --i) value = c[i] + x * value;
+    for (std::size_t i = N - 1; i-- > 0;) value = c[i] + x * value;
     return value;
 }
 
-// ---------------------------------------------------------------------------------------------
-// Exponential and logarithm
-// ---------------------------------------------------------------------------------------------
+// ---- Exponential and logarithm
 
 /// ln 2 in two parts (Cody and Waite, "Software Manual for the Elementary Functions", 1980):
 /// the first is a multiple of 2^-42, so that integers up to 2^11 times it are exact.
@@ -203,9 +200,7 @@ bool is_odd_integer(real x) {
     return real_abs(x) < 0x1p53 && is_integer(x) && (static_cast<std::int64_t>(x) & 1) != 0;
 }
 
-// ---------------------------------------------------------------------------------------------
-// Sine and cosine
-// ---------------------------------------------------------------------------------------------
+// ---- Sine and cosine
 
 constexpr DoubleDouble HALF_PI = {0x1.921fb54442d18p+0, 0x1.1a62633145c07p-54};
 constexpr DoubleDouble PI = {0x1.921fb54442d18p+1, 0x1.1a62633145c07p-53};
@@ -335,9 +330,7 @@ real sine_of(QuarterTurns turns, int quarters) {
     return (quarters & 2) != 0 ? -value : value;
 }
 
-// ---------------------------------------------------------------------------------------------
-// Arc functions
-// ---------------------------------------------------------------------------------------------
+// ---- Arc functions
 
 /// arctan(j / 8) for j = 0 ... 8.
 constexpr DoubleDouble ARCTAN[] = {

@@ -10,6 +10,7 @@
 #include <cyclone/precision.h>
 
 #include <initializer_list>
+#include <stdexcept>
 
 namespace cyclone {
 
