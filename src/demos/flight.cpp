@@ -45,7 +45,8 @@ Profile makeProfile() {
                     "+ -      throttle",
                     "",
                     "Take off: + until 100 %, and S once at 8 m/s.",
-                    "In the air 40 % of throttle keep it level."};
+                    "In the air 40 % of throttle keep it level.",
+                    "Numbers are metres, metres per second, degrees."};
     profile.quantities = {{"x", "m", "", 1},
                           {"height", "m", "height", 1},
                           {"z", "m", "", 1},
@@ -197,13 +198,14 @@ std::string Flight::getHeadUpLine() const {
     const RigidBody &body = aircraft.getBody();
     const Vector3 air = wind.getWindspeed();
     const FlightControls &sticks = aircraft.getControls();
-    return written("ALT %.1f m", body.getPosition().y - Aircraft::WHEEL_HEIGHT) +
-           written("  SPD %.1f m/s", aircraft.getAirspeed()) +
-           written("  CLIMB %+.1f", body.getVelocity().y) + written("  THR %.0f%%", sticks.throttle * 100) +
-           written("  PITCH %+.1f", sticks.pitch) + written("  ROLL %+.1f", sticks.roll) +
-           written("  RUD %+.1f", sticks.rudder) + written("  HDG %03.0f", compass(aircraft.getHeading())) +
-           written("  WIND %.1f m/s", air.magnitude()) +
-           written(" from %03.0f", compass(cyclone::real_atan2(air.z, air.x)));
+    const real height = std::max(body.getPosition().y - Aircraft::WHEEL_HEIGHT, 0.0);
+    return written("ALT %.1f", height) + written("  SPD %.1f", aircraft.getAirspeed()) +
+           written("  CLIMB %+.1f", body.getVelocity().y) +
+           written("  HDG %03.0f", compass(aircraft.getHeading())) +
+           written("  THR %.0f%%", sticks.throttle * 100) + written("  PIT %+.1f", sticks.pitch) +
+           written(" ROL %+.1f", sticks.roll) + written(" RUD %+.1f", sticks.rudder) +
+           written("  WIND %.1f", air.magnitude()) +
+           written("/%03.0f", compass(cyclone::real_atan2(air.z, air.x)));
 }
 
 std::string Flight::getSummary() const {

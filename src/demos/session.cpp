@@ -15,7 +15,7 @@ constexpr real PAINT_HEIGHT = 0.02;  // m
 
 std::string written(real value) {
     char text[40];
-    std::snprintf(text, sizeof text, "%.10g", value);
+    std::snprintf(text, sizeof text, "%.10g", value == 0 ? 0 : value);  // no sign on a zero
     return text;
 }
 
