@@ -1,6 +1,9 @@
 #include <cyclone/check.h>
 #include <cyclone/fixedstep.h>
 
+#include <algorithm>
+#include <cmath>
+
 namespace cyclone {
 
 FixedStep::FixedStep(real length, real longestTime) : step(length), longest(longestTime) {
@@ -13,11 +16,9 @@ FixedStep::FixedStep(real length, real longestTime) : step(length), longest(long
 unsigned FixedStep::advance(real elapsed) {
     require(elapsed >= 0 && elapsed <= REAL_MAX, "FixedStep::advance",
             "the elapsed time must be finite and not negative", {elapsed});
-    remainder += elapsed;
-    if (remainder > longest) remainder = longest;
-    const unsigned steps = static_cast<unsigned>(remainder / step);
-    remainder = real_clamp(remainder - steps * step, 0, step);
-    return steps;
+    const real owed = std::min(remainder + elapsed, longest);
+    remainder = std::fmod(owed, step);  // exact, so no time is lost or gained here
+    return static_cast<unsigned>((owed - remainder) / step + 0.5);
 }
 
 }  // namespace cyclone

@@ -27,8 +27,8 @@ public:
     /// Takes the time that has passed since the last call (s, not negative) and says how many steps to run
     /// now.
     unsigned advance(real elapsed);
-    /// How much of the next step the wall clock has covered already, 0 … 1: draw this far between the last
-    /// two states.
+    /// How much of the next step the wall clock has covered already, from 0 to less than 1: draw this far
+    /// between the last two states.
     real getFraction() const { return remainder / step; }
     real getStep() const { return step; }
 
