@@ -2,6 +2,7 @@
 
 #include <cstring>
 #include <iterator>
+#include <limits>
 
 namespace cyclone {
 
@@ -34,7 +35,10 @@ struct Words {
     std::uint64_t words[STATE_WORDS];
 };
 
+/// Every NaN, such as a poisoned force that was added just now, counts as the same one: which of them comes
+/// out of an operation depends on the processor.
 std::uint64_t bitsOf(real value) {
+    if (value != value) value = std::numeric_limits<real>::quiet_NaN();
     std::uint64_t bits;
     std::memcpy(&bits, &value, sizeof bits);
     return bits;

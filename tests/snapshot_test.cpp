@@ -1,0 +1,335 @@
+#include <cyclone/cyclone.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstring>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "golden/scene.h"
+#include "random.h"
+
+using namespace cyclone;
+using cyclone_test::PLUS_INFINITY;
+using cyclone_test::QUIET_NAN;
+using cyclone_test::Random;
+using golden::Scene;
+
+namespace {
+
+// ---- Going on from a snapshot
+
+constexpr int FRAMES = 700;
+
+/// What a run that was never stopped goes through: the hash after each frame's step.
+const std::vector<std::uint64_t> &uninterruptedRun() {
+    static const std::vector<std::uint64_t> hashes = [] {
+        std::vector<std::uint64_t> result;
+        Scene scene;
+        for (int n = 0; n < FRAMES; ++n) {
+            scene.steer();
+            scene.step();
+            result.push_back(scene.getWorld().hash());
+        }
+        return result;
+    }();
+    return hashes;
+}
+
+void expectToGoOnAlike(Scene &scene, int frames) {
+    for (int end = std::min(scene.getFrame() + frames, FRAMES); scene.getFrame() < end;) {
+        const std::size_t frame = static_cast<std::size_t>(scene.getFrame());
+        scene.steer();
+        scene.step();
+        ASSERT_EQ(scene.getWorld().hash(), uninterruptedRun()[frame]) << "frame " << frame;
+    }
+}
+
+TEST(Restoring, IntoAnotherProcessGivesTheSameBits) {
+    Scene original;
+    Random random(1);
+    Snapshot snapshot;
+    for (int n = 0; n < 25; ++n) {
+        while (original.getFrame() < FRAMES - 40 && random.between(0, 1) < 0.96) {
+            original.steer();
+            original.step();
+        }
+        original.getWorld().saveState(snapshot);
+
+        Scene restored(n % 5 == 0 ? 2 : 0);
+        while (restored.getFrame() < original.getFrame()) {
+            restored.steer();
+            restored.skip();
+        }
+        restored.getWorld().restoreState(snapshot);
+        EXPECT_EQ(restored.getWorld().hash(), original.getWorld().hash());
+        expectToGoOnAlike(restored, 40);
+        if (HasFailure()) FAIL() << "restored at frame " << original.getFrame();
+    }
+}
+
+/// The forces that the caller has added for this frame are in the snapshot.
+TEST(Restoring, InMidFrameGivesTheSameBits) {
+    Scene original;
+    Snapshot snapshot;
+    for (int frame = 0; frame < 360; ++frame) {
+        original.steer();
+        if (frame % 29 == 28 || frame == 349) {  // 349: sleepers are being woken
+            original.getWorld().saveState(snapshot);
+            Scene restored;
+            while (restored.getFrame() < frame) {
+                restored.steer();
+                restored.skip();
+            }
+            restored.steer();
+            for (RigidBody *body : restored.getWorld().getBodies()) body->clearAccumulators();
+            restored.getWorld().restoreState(snapshot);
+            restored.step();
+            ASSERT_EQ(restored.getWorld().hash(), uninterruptedRun()[static_cast<std::size_t>(frame)]);
+            expectToGoOnAlike(restored, 5);
+        }
+        original.step();
+    }
+}
+
+TEST(Restoring, RewindsAsOftenAsWanted) {
+    Scene scene;
+    while (scene.getFrame() < 91) {
+        scene.steer();
+        scene.step();
+    }
+    Snapshot snapshot;
+    scene.getWorld().saveState(snapshot);
+    for (int n = 0; n < 5; ++n) {
+        expectToGoOnAlike(scene, 10 * n);
+        scene.getWorld().restoreState(snapshot);
+        scene.rewind(91);
+    }
+    expectToGoOnAlike(scene, 200);
+}
+
+/// Between the generators' turn and the step, for worlds that are advanced by hand.
+TEST(Restoring, BetweenForcesAndStepGivesTheSameBits) {
+    Drag drag(0.3, 0.1);
+    Gravity gravity;
+    const auto build = [&](World &world) {
+        RigidBody *const body = world.createBody();
+        body->setVelocity(1, 2, 3);
+        body->setRotation(3, 2, 1);
+        world.getForceRegistry().add(body, &drag);
+        world.getForceRegistry().add(body, &gravity);
+        world.createBody()->setAwake(false);
+    };
+    World original, restored;
+    build(original);
+    build(restored);
+    Snapshot snapshot;
+    for (int frame = 0; frame < 20; ++frame) {
+        original.startFrame();
+        original.getForceRegistry().updateForces(0.02);
+        if (frame == 10) {
+            original.saveState(snapshot);
+            restored.restoreState(snapshot);
+        } else if (frame > 10) {
+            restored.startFrame();
+            restored.getForceRegistry().updateForces(0.02);
+        }
+        original.integrate(0.02);
+        if (frame < 10) continue;
+        restored.integrate(0.02);
+        ASSERT_EQ(restored.hash(), original.hash()) << frame;
+    }
+}
+
+TEST(Restoring, BringsBackWhichBodiesHaveFaulted) {
+    World world;
+    RigidBody *const sound = world.createBody(), *const poisoned = world.createBody();
+    Snapshot before, after;
+    world.saveState(before);
+    sound->setVelocity(1, 0, 0);
+    poisoned->addForce(Vector3(QUIET_NAN, 0, 0));
+    world.integrate(0.01);
+    ASSERT_EQ(world.getFaultedBodies(), World::RigidBodies{poisoned});
+    world.saveState(after);
+
+    world.restoreState(before);
+    EXPECT_TRUE(world.getFaultedBodies().empty());
+    EXPECT_FALSE(poisoned->hasFaulted());
+    world.restoreState(after);
+    EXPECT_EQ(world.getFaultedBodies(), World::RigidBodies{poisoned});
+    EXPECT_TRUE(poisoned->hasFaulted());
+    EXPECT_FALSE(poisoned->getAwake());
+    EXPECT_TRUE(sound->getAwake());
+}
+
+// ---- The bytes
+
+std::uint64_t wordAt(const Snapshot &snapshot, std::size_t index) {
+    std::uint64_t word = 0;
+    for (std::size_t n = 8; n-- > 0;) word = word << 8 | snapshot.at(8 * index + n);
+    return word;
+}
+
+void setWord(Snapshot &snapshot, std::size_t index, std::uint64_t word) {
+    for (std::size_t n = 0; n < 8; ++n, word >>= 8)
+        snapshot.at(8 * index + n) = static_cast<std::uint8_t>(word);
+}
+
+/// As a forger would do it, who makes the checksum fit.
+void sign(Snapshot &snapshot) {
+    std::uint64_t sum = 0x656e6f6c637943;
+    for (std::size_t n = 0; n + 1 < snapshot.size() / 8; ++n) {
+        sum = (sum ^ wordAt(snapshot, n)) * 0x9e3779b97f4a7c15;
+        sum ^= sum >> 32;
+    }
+    setWord(snapshot, snapshot.size() / 8 - 1, sum);
+}
+
+void buildSmallWorld(World &world, std::size_t count) {
+    Random random(7);
+    for (std::size_t n = 0; n < count; ++n) {
+        RigidBody *const body = world.createBody();
+        body->setPosition(random.vector(10));
+        body->setVelocity(random.vector(10));
+        body->setRotation(random.vector());
+        body->setDamping(0.9, 0.8);
+        body->setInertiaTensor(Matrix3(0.5, 0.05, 0.1, 0.05, 0.4, 0, 0.1, 0, 0.6));
+        body->addForce(random.vector());
+    }
+}
+
+/// Refused with a clear word, the same from both functions, and nothing changes.
+void expectRefusal(World &world, const Snapshot &snapshot, const std::string &word) {
+    const std::uint64_t hash = world.hash();
+    const char *const error = findSnapshotError(snapshot, world.getBodies().size());
+    ASSERT_NE(error, nullptr);
+    ASSERT_NE(std::string(error).find(word), std::string::npos) << error;
+    try {
+        world.restoreState(snapshot);
+        FAIL() << "not refused";
+    } catch (const std::invalid_argument &refusal) {
+        ASSERT_NE(std::string(refusal.what()).find(error), std::string::npos) << refusal.what();
+    }
+    ASSERT_EQ(world.hash(), hash);
+}
+
+/// The format, byte by byte, as another program would read it.
+TEST(SnapshotBytes, AreTheSameOnEveryMachine) {
+    World world;
+    world.createBody()->setPosition(1, -2, 0.15625);
+    world.createBody();
+    Snapshot snapshot;
+    world.saveState(snapshot);
+    const std::vector<std::uint8_t> begin = {
+        'C', 'y', 'c', 'l', 'o', 'n', 'e',  0,     // mark
+        1,   0,   0,   0,   0,   0,   0,    0,     // version
+        2,   0,   0,   0,   0,   0,   0,    0,     // bodies
+        0,   0,   0,   0,   0,   0,   0xf0, 0x3f,  // 1 = +1.0·2⁰
+        0,   0,   0,   0,   0,   0,   0,    0xc0,  // −2 = −1.0·2¹
+        0,   0,   0,   0,   0,   0,   0xc4, 0x3f,  // 0.15625 = +1.25·2⁻³
+    };
+    ASSERT_GE(snapshot.size(), begin.size());
+    EXPECT_TRUE(std::equal(begin.begin(), begin.end(), snapshot.begin()));
+    EXPECT_EQ(snapshot.size(), 8U * (3 + 2 * 58 + 1));  // 57 numbers and a word of flags
+
+    const std::uint64_t checksum = wordAt(snapshot, snapshot.size() / 8 - 1);
+    sign(snapshot);
+    EXPECT_EQ(wordAt(snapshot, snapshot.size() / 8 - 1), checksum);
+}
+
+TEST(SnapshotBytes, EveryFlippedBitIsNoticed) {
+    World world, other;
+    buildSmallWorld(world, 2);
+    buildSmallWorld(other, 2);
+    other.getBodies()[0]->setPosition(9, 9, 9);
+    Snapshot snapshot;
+    world.saveState(snapshot);
+    for (std::size_t bit = 0; bit < 8 * snapshot.size(); ++bit) {
+        const std::uint8_t mask = static_cast<std::uint8_t>(1 << bit % 8);
+        snapshot[bit / 8] ^= mask;
+        expectRefusal(other, snapshot, "snapshot");
+        if (HasFatalFailure()) FAIL() << "bit " << bit;
+        snapshot[bit / 8] ^= mask;
+    }
+    EXPECT_EQ(findSnapshotError(snapshot, 2), nullptr);
+}
+
+TEST(SnapshotBytes, OfAnotherLengthAreRefused) {
+    World world;
+    buildSmallWorld(world, 2);
+    Snapshot whole;
+    world.saveState(whole);
+    for (std::size_t size = 0; size < whole.size(); ++size) {
+        const Snapshot part(whole.begin(), whole.begin() + static_cast<std::ptrdiff_t>(size));
+        expectRefusal(world, part, size < 32 ? "must be a snapshot" : "complete");
+        if (HasFatalFailure()) FAIL() << size << " bytes";
+    }
+    for (std::size_t more : {1U, 8U, 464U}) {
+        Snapshot longer = whole;
+        longer.resize(whole.size() + more);
+        expectRefusal(world, longer, "complete");
+    }
+    expectRefusal(world, Snapshot(whole.size(), 0), "must be a snapshot");
+}
+
+TEST(SnapshotBytes, OfAnotherWorldOrVersionAreRefused) {
+    World one, two, none;
+    buildSmallWorld(one, 1);
+    buildSmallWorld(two, 2);
+    Snapshot snapshot;
+    two.saveState(snapshot);
+    expectRefusal(one, snapshot, "as many bodies");
+    expectRefusal(none, snapshot, "as many bodies");
+    one.saveState(snapshot);
+    expectRefusal(two, snapshot, "as many bodies");
+
+    setWord(snapshot, 1, 2);
+    sign(snapshot);
+    expectRefusal(one, snapshot, "version");
+    setWord(snapshot, 1, 1);
+    setWord(snapshot, 2, std::uint64_t(1) << 61);  // a count whose size in bytes overflows
+    sign(snapshot);
+    expectRefusal(one, snapshot, "as many bodies");
+
+    none.saveState(snapshot);
+    EXPECT_EQ(snapshot.size(), 32U);
+    none.restoreState(snapshot);
+}
+
+/// The second body's state is impossible: the first must not have been restored either.
+TEST(SnapshotBytes, OfImpossibleStatesAreRefused) {
+    World world;
+    buildSmallWorld(world, 2);
+    Snapshot snapshot;
+    world.saveState(snapshot);
+    world.getBodies()[0]->setPosition(9, 9, 9);
+    setWord(snapshot, 3 + 58, 0x7ff0000000000000);  // infinity, along x
+    sign(snapshot);
+    expectRefusal(world, snapshot, "the position must be finite");
+}
+
+/// A NaN has many bit patterns, and processors differ in which of them they make.
+TEST(SnapshotBytes, AndHashesKnowOneNaNOnly) {
+    const std::uint64_t patterns[] = {0x7ff8000000000000, 0xfff8000000000000, 0x7ff800000000abcd};
+    RigidBody poisoned[3];
+    Snapshot snapshots[3];
+    std::uint64_t hashes[3];
+    for (std::size_t n = 0; n < 3; ++n) {
+        RigidBody::State state;
+        std::memcpy(&state.addedForce.x, &patterns[n], 8);
+        state.hasAdded = true;
+        poisoned[n].setState(state);
+        RigidBody *const body = &poisoned[n];
+        hashes[n] = hashStates(&body, 1);
+        writeSnapshot(&body, 1, snapshots[n]);
+        EXPECT_EQ(hashes[n], hashes[0]);
+        EXPECT_EQ(snapshots[n], snapshots[0]);
+    }
+    RigidBody restored;
+    RigidBody *const body = &restored;
+    readSnapshot(snapshots[1], &body, 1);
+    EXPECT_FALSE(restored.integrate(0.01)) << "the poison has been restored";
+}
+
+}  // namespace
