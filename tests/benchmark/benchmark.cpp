@@ -17,6 +17,7 @@
 #include <vector>
 
 #include "classic.h"
+#include "snapshots.h"
 
 namespace {
 
@@ -223,5 +224,6 @@ int main(int argc, char **argv) {
                 "ratio");
     for (const Scene &s : scenes)
         for (std::size_t count : counts) measure(s, count);
+    measureSnapshots();
     return 0;
 }
