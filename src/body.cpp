@@ -15,10 +15,10 @@ void RigidBody::setMass(real kilograms) {
 }
 
 void RigidBody::setInverseMass(real inverse) {
-    require(inverse >= 0 && inverse <= REAL_MAX, "RigidBody::setInverseMass",
-            "the inverse mass must be finite and not negative", {inverse});
+    require(inverse == 0 || (inverse > 0 && inverse <= REAL_MAX && real_isfinite(1 / inverse)),
+            "RigidBody::setInverseMass", "the inverse mass must be finite and not negative", {inverse});
     inverseMass = inverse;
-    mass = inverse > 0 ? std::min(1 / inverse, REAL_MAX) : REAL_MAX;
+    mass = inverse > 0 ? 1 / inverse : REAL_MAX;
     setMomentumFromRotation();
 }
 
@@ -140,9 +140,9 @@ void requireDamping(real damping, const char *function) {
 void RigidBody::setDamping(real linear, real angular) {
     requireDamping(linear, "RigidBody::setDamping");
     requireDamping(angular, "RigidBody::setDamping");
+    if (linear != linearDamping || angular != angularDamping) factorDuration = 0;
     linearDamping = linear;
     angularDamping = angular;
-    factorDuration = 0;
 }
 
 void RigidBody::setLinearDamping(real damping) {
@@ -255,11 +255,11 @@ void RigidBody::setSleepEpsilon(real epsilon) {
     motion = 2 * sleepEpsilon;
 }
 
-void RigidBody::fallAsleepIfIdle(const Vector3 &torque, real duration) {
+void RigidBody::fallAsleepIfIdle(bool nothingTwists, real duration) {
     const real memory = 1 / (1 + duration);  // of the mean, about a second
     const real current = velocity.squareMagnitude() + rotation.squareMagnitude();
     motion = std::min(memory * motion + (1 - memory) * current, 10 * sleepEpsilon);
-    const bool nothingActs = lastFrameAcceleration == Vector3() && torque == Vector3();
+    const bool nothingActs = nothingTwists && lastFrameAcceleration == Vector3();
     if (nothingActs && motion < sleepEpsilon) setAwake(false);
 }
 
@@ -323,10 +323,12 @@ const char *RigidBody::State::findError() const {
     if (!rotation.isFinite()) return "the rotation must be finite";
     if (!angularMomentum.isFinite()) return "the angular momentum must be finite";
     if (!acceleration.isFinite()) return "the acceleration must be finite";
+    if (!lastFrameAcceleration.isFinite()) return "the last frame's acceleration must be finite";
     if (!lastForce.isFinite() || !lastTorque.isFinite()) return "the last step's forces must be finite";
     if (!isNotNegative(lastDuration)) return "the last step's duration must be finite and not negative";
-    if (!(mass > 0 && isNotNegative(mass))) return "the mass must be positive and finite";
     if (!isNotNegative(inverseMass)) return "the inverse mass must be finite and not negative";
+    if (!(inverseMass == 0 ? mass == REAL_MAX : real_abs(mass * inverseMass - 1) < 1e-9))
+        return "the mass must match its inverse";
     for (unsigned axis = 0; axis < 3; ++axis) {
         const real moment = inertia[axis], inverse = inverseInertia[axis];
         if (!isNotNegative(inverse)) return "the inverse moments of inertia must be finite and not negative";
@@ -359,8 +361,7 @@ void RigidBody::setState(const State &s) {
     inverseMass = s.inverseMass;
     inertia = s.inertia;
     setPrincipalFrame(s.inverseInertia, s.principalAxes);
-    if (linearDamping != s.linearDamping || angularDamping != s.angularDamping)
-        setDamping(s.linearDamping, s.angularDamping);
+    setDamping(s.linearDamping, s.angularDamping);
     motion = s.motion;
     sleepEpsilon = s.sleepEpsilon;
     awake = s.awake;

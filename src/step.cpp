@@ -3,16 +3,17 @@
 
 namespace cyclone {
 
-CYCLONE_INLINE void StepBlock::kickAndDrift(Entry &entry) const {
+CYCLONE_INLINE StepBlock::Twist StepBlock::kickAndDrift(Entry &entry) const {
     const RigidBody &body = *entry.body;
+    Twist twist;
     entry.velocity = body.velocity;
-    entry.acceleration = entry.torque = entry.angularKick = Vector3();
+    entry.acceleration = Vector3();
     if (body.hasFiniteMass()) {
         Vector3 force = body.generated.force;
-        entry.torque = body.generated.torque;
+        twist.torque = body.generated.torque;
         if (body.hasAdded) {
             force += body.added.force;
-            entry.torque += body.added.torque;
+            twist.torque += body.added.torque;
         }
         entry.acceleration = body.acceleration + force * body.inverseMass;
         const real mend = body.isGenerated ? body.lastDuration / 2 : 0;
@@ -21,9 +22,11 @@ CYCLONE_INLINE void StepBlock::kickAndDrift(Entry &entry) const {
         entry.velocity =
             (body.velocity + forceChange * (mend * body.inverseMass) + entry.acceleration * (duration / 2)) *
             body.linearFactor;
-        entry.angularKick = torqueChange * mend + entry.torque * (duration / 2);
+        twist.kick = torqueChange * mend + twist.torque * (duration / 2);
     }
+    entry.nothingTwists = body.canSleep && twist.torque == Vector3();
     entry.position = body.getPosition() + entry.velocity * duration;
+    return twist;
 }
 
 namespace {
@@ -67,22 +70,21 @@ CYCLONE_INLINE bool StepBlock::takeOver(const Entry &entry, const Quaternion &or
     body.lastDuration = isToRemember ? duration : 0;
     if (isToRemember) body.lastGenerated = body.generated;
     body.clearAccumulators();
-    if (body.canSleep) body.fallAsleepIfIdle(entry.torque, duration);
+    if (body.canSleep) body.fallAsleepIfIdle(entry.nothingTwists, duration);
     return true;
 }
 
-CYCLONE_INLINE void StepBlock::gather(const Entry &entry, int lane) {
-    const RigidBody &body = *entry.body;
+CYCLONE_INLINE void StepBlock::gather(const RigidBody &body, const Twist &twist, int lane) {
     const int *row = RENUMBERED[body.middleAxis];
     const Quaternion q = body.hasPrincipalAxes ? body.orientation * body.principalAxes : body.orientation;
     turning.orientation[0][lane] = q.r;
     storeRenumbered(turning.orientation + 1, row, lane, Vector3(q.i, q.j, q.k));
     storeRenumbered(turning.inverseInertia, row, lane, body.inverseInertia);
 
-    const Vector3 momentum = (body.angularMomentum + entry.angularKick) * body.angularFactor;
+    const Vector3 momentum = (body.angularMomentum + twist.kick) * body.angularFactor;
     storeRenumbered(turning.momentum, row, lane, momentum);
     storeRenumbered(turning.finalMomentum, row, lane,
-                    momentum * body.angularFactor + entry.torque * (duration / 2));
+                    momentum * body.angularFactor + twist.torque * (duration / 2));
 }
 
 CYCLONE_INLINE void StepBlock::scatter(const Entry &entry, int lane) {
@@ -103,7 +105,7 @@ CYCLONE_INLINE void StepBlock::scatter(const Entry &entry, int lane) {
 
 /// A body that is immovable or has a locked axis: each component of its rotation in its own axes goes on
 /// alone, without gyroscopic coupling, and torques act about free axes only.
-void StepBlock::turnLocked(const Entry &entry) {
+void StepBlock::turnLocked(const Entry &entry, const Twist &twist) {
     RigidBody &body = *entry.body;
     const bool movable = body.hasFiniteMass();
     const real factor = movable ? body.angularFactor : 1;
@@ -112,8 +114,8 @@ void StepBlock::turnLocked(const Entry &entry) {
     const auto gain = [&](const Vector3 &impulse) {
         return inverseInertia.componentProduct(axes.transformTranspose(impulse));
     };
-    const Vector3 spin = (axes.transformTranspose(body.rotation) + gain(entry.angularKick)) * factor;
-    const Vector3 rotation = spin * factor + gain(entry.torque * (duration / 2));
+    const Vector3 spin = (axes.transformTranspose(body.rotation) + gain(twist.kick)) * factor;
+    const Vector3 rotation = spin * factor + gain(twist.torque * (duration / 2));
 
     Quaternion orientation = body.orientation;
     orientation.rotateByVector(axes.transform(spin) * duration);
@@ -131,9 +133,9 @@ void StepBlock::add(RigidBody &body) {
     if (body.factorDuration != duration) body.renewDampingFactors(duration);
     Entry &entry = entries[count];
     entry.body = &body;
-    kickAndDrift(entry);
-    if (!body.turnsFreely()) return turnLocked(entry);
-    gather(entry, count);
+    const Twist twist = kickAndDrift(entry);
+    if (!body.turnsFreely()) return turnLocked(entry, twist);
+    gather(body, twist, count);
     if (++count == SIZE) finish();
 }
 

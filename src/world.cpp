@@ -177,7 +177,7 @@ void World::listFaultedBodies(bool anyNew) {
 void World::saveState(Snapshot &snapshot) const { writeSnapshot(bodies.data(), bodies.size(), snapshot); }
 
 void World::restoreState(const Snapshot &snapshot) {
-    readSnapshot(snapshot, bodies.data(), bodies.size());
+    readSnapshot(snapshot, bodies.data(), bodies.size(), "World::restoreState");
     listFaultedBodies(true);
 }
 

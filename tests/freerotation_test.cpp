@@ -299,7 +299,7 @@ TEST(FreeRotation, EveryLaneIsComputedAlone) {
 TEST(FreeRotation, LeavesUnusedLanesAlone) {
     reference::Random random;
     for (int lanes = 1; lanes < LANES; ++lanes) {
-        FreeRotation block;
+        FreeRotation block{};
         for (int lane = 0; lane < LANES; ++lane) putIn(randomSpinner(random, 1), block, lane);
         const FreeRotation before = block;
         block.advance(lanes, 1);

@@ -234,7 +234,7 @@ private:
     Matrix3 getPrincipalAxesInWorld() const;
 
     void renewDampingFactors(real duration);
-    void fallAsleepIfIdle(const Vector3 &torque, real duration);
+    void fallAsleepIfIdle(bool nothingTwists, real duration);
     void keepLastGoodState();
 
     // What generators read and write comes first, then what only the step does, then what it rarely needs:
@@ -247,7 +247,7 @@ private:
     bool hasAdded = false;          ///< `added` is not zero
     bool startsAfresh = false;      ///< this step's forces are not to be remembered
     bool hasPrincipalAxes = false;  ///< `principalAxes` is not the identity
-    std::uint8_t middleAxis = 0;    ///< the principal axis of the middle inertia
+    std::uint8_t middleAxis = 1;    ///< the principal axis of the middle inertia; of equal ones, 1
     Matrix4 transform;
     Vector3 velocity;
     Vector3 rotation;

@@ -21,23 +21,23 @@ namespace cyclone {
 
 /// Some bodies side by side, one number of each in every array, so that compilers vectorise the plain loops
 /// over them. Every lane is computed alone: the same operations in the same order, whatever the other lanes
-/// hold.
+/// hold. For speed nothing is set at first: fill the lanes that advance() is to work on.
 struct CYCLONE_API FreeRotation {
     static constexpr int LANES = 8;
 
     using Lanes = real[LANES];
 
     // In: all in axes numbered so that axis 0 is the one of the middle inertia.
-    Lanes inverseInertia[3] = {};  ///< principal, 1/(kg·m²)
-    Lanes momentum[3] = {};        ///< angular momentum during the step, world, kg·m²/s
-    Lanes finalMomentum[3] = {};   ///< angular momentum after the step's last kick, world
+    Lanes inverseInertia[3];  ///< principal, 1/(kg·m²)
+    Lanes momentum[3];        ///< angular momentum during the step, world, kg·m²/s
+    Lanes finalMomentum[3];   ///< angular momentum after the step's last kick, world
 
     // In and out.
-    Lanes orientation[4] = {};  ///< r, i, j, k; from principal axes to world, unit
+    Lanes orientation[4];  ///< r, i, j, k; from principal axes to world, unit
 
     // Out.
-    Lanes matrix[9] = {};    ///< of the new orientation, row by row
-    Lanes rotation[3] = {};  ///< angular velocity that belongs to finalMomentum, world, rad/s
+    Lanes matrix[9];    ///< of the new orientation, row by row
+    Lanes rotation[3];  ///< angular velocity that belongs to finalMomentum, world, rad/s
 
     /// Advances the first `lanes` bodies (1 … LANES) by `duration` seconds. A body that turns by more than
     /// about 2 rad is advanced in up to 64 shorter steps; one that turns by more than 64 rad turns by 64.

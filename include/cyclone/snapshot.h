@@ -22,8 +22,10 @@ CYCLONE_API void writeSnapshot(RigidBody *const *bodies, std::size_t count, Snap
 /// state that no body can be in. Null when it would not. For snapshots from a file or a network.
 CYCLONE_API const char *findSnapshotError(const Snapshot &snapshot, std::size_t count);
 
-/// Sets every body to its saved state; refuses a snapshot with an error, and changes nothing then.
-CYCLONE_API void readSnapshot(const Snapshot &snapshot, RigidBody *const *bodies, std::size_t count);
+/// Sets every body to its saved state. Refuses a snapshot with an error, in the name of `function`, and
+/// changes nothing then.
+CYCLONE_API void readSnapshot(const Snapshot &snapshot, RigidBody *const *bodies, std::size_t count,
+                              const char *function = "readSnapshot");
 
 /// A number that depends on every bit of the states: two machines whose numbers agree are in step.
 CYCLONE_API std::uint64_t hashStates(RigidBody *const *bodies, std::size_t count);

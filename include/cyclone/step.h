@@ -31,17 +31,22 @@ public:
 private:
     static constexpr int SIZE = FreeRotation::LANES;
 
-    /// What is known of a body after its kick and drift.
+    /// A body after its kick and drift.
     struct Entry {
         RigidBody *body;
-        Vector3 acceleration, torque;
-        Vector3 angularKick;  ///< what the first half of the step adds to the angular momentum
         Vector3 position, velocity;
+        Vector3 acceleration;
+        bool nothingTwists;  ///< no torque; asked only of bodies that may fall asleep
+    };
+    /// What turns it.
+    struct Twist {
+        Vector3 torque;
+        Vector3 kick;  ///< what the first half of the step adds to the angular momentum
     };
 
-    void kickAndDrift(Entry &entry) const;
-    void turnLocked(const Entry &entry);
-    void gather(const Entry &entry, int lane);
+    Twist kickAndDrift(Entry &entry) const;
+    void turnLocked(const Entry &entry, const Twist &twist);
+    void gather(const RigidBody &body, const Twist &twist, int lane);
     void scatter(const Entry &entry, int lane);
     bool takeOver(const Entry &entry, const Quaternion &orientation, const Vector3 &rotation,
                   const Vector3 &angularMomentum);
