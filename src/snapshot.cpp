@@ -82,28 +82,17 @@ State fromWords(const Words &words) {
 }
 
 /// A running hash of words: xor, multiply, and fold the high half down (the multiplier is 2⁶⁴ divided by the
-/// golden ratio; Knuth 1973). Four such hashes take the words in turn, because each multiplication has to
-/// wait for the last one; the first then takes in the others.
+/// golden ratio; Knuth 1973).
 class Hash {
 public:
     void add(std::uint64_t word) {
-        mix(lanes[next], word);
-        next = (next + 1) % 4;
-    }
-    std::uint64_t get() const {
-        std::uint64_t value = lanes[0];
-        for (int n = 1; n < 4; ++n) mix(value, lanes[n]);
-        return value;
-    }
-
-private:
-    static void mix(std::uint64_t &value, std::uint64_t word) {
         value = (value ^ word) * 0x9e3779b97f4a7c15;
         value ^= value >> 32;
     }
+    std::uint64_t get() const { return value; }
 
-    std::uint64_t lanes[4] = {MARK, MARK + 1, MARK + 2, MARK + 3};
-    unsigned next = 0;
+private:
+    std::uint64_t value = MARK;
 };
 
 void storeWord(std::uint8_t *bytes, std::uint64_t word) {
