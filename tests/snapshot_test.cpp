@@ -165,6 +165,8 @@ TEST(Restoring, BringsBackWhichBodiesHaveFaulted) {
 
 // ---- The bytes
 
+constexpr std::size_t WORDS_PER_BODY = 58;  // 57 numbers, and one of flags
+
 std::uint64_t wordAt(const Snapshot &snapshot, std::size_t index) {
     std::uint64_t word = 0;
     for (std::size_t n = 8; n-- > 0;) word = word << 8 | snapshot.at(8 * index + n);
@@ -231,7 +233,7 @@ TEST(SnapshotBytes, AreTheSameOnEveryMachine) {
     };
     ASSERT_GE(snapshot.size(), begin.size());
     EXPECT_TRUE(std::equal(begin.begin(), begin.end(), snapshot.begin()));
-    EXPECT_EQ(snapshot.size(), 8U * (3 + 2 * 58 + 1));  // 57 numbers and a word of flags
+    EXPECT_EQ(snapshot.size(), 8 * (3 + 2 * WORDS_PER_BODY + 1));
 
     const std::uint64_t checksum = wordAt(snapshot, snapshot.size() / 8 - 1);
     sign(snapshot);
@@ -265,7 +267,7 @@ TEST(SnapshotBytes, OfAnotherLengthAreRefused) {
         expectRefusal(world, part, size < 32 ? "must be a snapshot" : "complete");
         if (HasFatalFailure()) FAIL() << size << " bytes";
     }
-    for (std::size_t more : {1U, 8U, 464U}) {
+    for (std::size_t more : {std::size_t(1), std::size_t(8), 8 * WORDS_PER_BODY}) {
         Snapshot longer = whole;
         longer.resize(whole.size() + more);
         expectRefusal(world, longer, "complete");
@@ -304,7 +306,7 @@ TEST(SnapshotBytes, OfImpossibleStatesAreRefused) {
     Snapshot snapshot;
     world.saveState(snapshot);
     world.getBodies()[0]->setPosition(9, 9, 9);
-    setWord(snapshot, 3 + 58, 0x7ff0000000000000);  // infinity, along x
+    setWord(snapshot, 3 + WORDS_PER_BODY, 0x7ff0000000000000);  // infinity, along x
     sign(snapshot);
     expectRefusal(world, snapshot, "the position must be finite");
 }
