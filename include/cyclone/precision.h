@@ -21,6 +21,7 @@
 #error "Cyclone detects NaN and infinity: compile it without -ffinite-math-only."
 #endif
 
+/// The whole library.
 namespace cyclone {
 
 /// The type of every scalar: an IEEE double.
