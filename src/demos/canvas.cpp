@@ -12,7 +12,9 @@ namespace {
 constexpr real NEAR_PLANE = 0.05;  // m in front of the eye
 constexpr Colour SHADOW{8, 16, 24};
 constexpr real SHADOW_DEPTH = 0.55;
-constexpr real HEAD_LENGTH = 7, HEAD_WIDTH = 6;  // an arrow's head, pixels
+constexpr real HEAD_LENGTH = 7, HEAD_WIDTH = 6, SHAFT_WIDTH = 1.5;  // an arrow, pixels,
+constexpr real ARROW_HEIGHT =
+    280;  // of a picture up to this many pixels high; larger ones have larger arrows
 /// Lines stand out this much from the faces that they lie on, as a share of their distance.
 constexpr real LINE_LIFT = 0.003;
 
@@ -44,12 +46,13 @@ bool areFinite(const std::vector<Vector3> &corners) {
                        [](const Vector3 &corner) { return corner.isFinite(); });
 }
 
-/// Sunlight, and light from the sky that comes rather from above. Cloth that the sun shines on from behind
-/// glows.
+/// Sunlight, and light from the sky that comes rather from above. Cloth lets light through: it is never dark,
+/// and glows where the sun shines on it from behind.
 Colour lit(Colour colour, const Vector3 &unitNormal, bool isThin) {
     const real facing = unitNormal * Canvas::sun();
     const real sunlight = facing > 0 ? facing : isThin ? -0.6 * facing : 0;
-    return mix({0, 0, 0}, colour, 0.54 + 0.1 * unitNormal.y + 0.37 * sunlight);
+    const real skylight = (isThin ? 0.68 : 0.54) + 0.1 * unitNormal.y;
+    return mix({0, 0, 0}, colour, std::min(skylight + 0.37 * sunlight, 1.0));
 }
 
 /// 1/z of the plane through a polygon that is given in view coordinates.
@@ -166,12 +169,13 @@ void Canvas::draw(const Arrow &arrow) {
     const Vector3 side = (along % (view_.eye() - tip)).unit();
     if (!arrow.tail.isFinite() || !tip.isFinite()) return;
     if (distance < NEAR_PLANE || side.squareMagnitude() == 0)  // no head to be seen
-        return drawLine(arrow.tail, tip, arrow.colour);
+        return drawLine(arrow.tail, tip, arrow.colour, SHAFT_WIDTH);
 
-    const real pixel = distance / view_.scale();  // m at the tip
+    const real size = std::max(raster_.height() / ARROW_HEIGHT, 1.0);
+    const real pixel = size * distance / view_.scale();  // m at the tip
     const real head = std::min(HEAD_LENGTH * pixel, length);
     const Vector3 neck = tip - along * head, halfWidth = side * (0.5 * HEAD_WIDTH * pixel);
-    drawLine(arrow.tail, neck, arrow.colour, 1.5);
+    drawLine(arrow.tail, neck, arrow.colour, SHAFT_WIDTH * size);
     fill({tip, neck + halfWidth, neck - halfWidth}, arrow.colour);
 }
 

@@ -39,6 +39,8 @@ struct Quantity {
 struct Outlook {
     Vector3 spectator{0, 1.7, 20};  ///< m
     real distance = 6;              ///< m, of chase and side at zoom 1
+    real height = 0;                ///< m above the vehicle's origin: what the cameras aim at
+    real windHeight = 1;            ///< m above the vehicle's origin: where the wind is shown
     bool spectatorFollows = false;  ///< the spectator keeps the offset to the vehicle, as from another boat
 };
 
@@ -58,7 +60,7 @@ struct Profile {
     real newtonsPerMetre = 0;  ///< scale of the force arrows
     Outlook outlook;
     real step = 1.0 / 120;  ///< s, of the simulation
-    real duration = 60;     ///< s, of a run without a terminal when nobody says
+    real duration = 60;     ///< s, the longest run without a terminal when nobody says
 };
 
 /// A world with one vehicle in it. The same seed, settings and controls at the same steps give the same

@@ -69,7 +69,10 @@ Profile makeProfile() {
     profile.parts = makeFlightParts();
     profile.paint = paintRunway();
     profile.newtonsPerMetre = NEWTONS_PER_METRE;
-    profile.outlook = {Vector3(20, 1.7, -16), 4.5, false};
+    profile.outlook.spectator = Vector3(20, 1.7, -16);
+    profile.outlook.distance = 4;
+    profile.outlook.height = 0.1;
+    profile.outlook.windHeight = 1.3;
     profile.duration = 120;
     return profile;
 }

@@ -12,7 +12,7 @@ namespace demo {
 
 namespace {
 
-constexpr int STILL_WIDTH = 1280, STILL_HEIGHT = 640;
+constexpr int STILL_WIDTH = 1024, STILL_HEIGHT = 512;
 constexpr real PROGRESS_INTERVAL = 0.5;  // s of the wall clock
 
 /// Columns as wide as their heading or their numbers need.

@@ -94,7 +94,9 @@ Profile makeProfile() {
         profile.parts.push_back(makeMark(MARKS[n].name + " mark", MARK_COLOURS[n]));
     profile.newtonsPerMetre = NEWTONS_PER_METRE;
     profile.outlook.spectator = Vector3(-16, 4, 20);
-    profile.outlook.distance = 20;
+    profile.outlook.distance = 15;
+    profile.outlook.height = 3.6;
+    profile.outlook.windHeight = 8.6;
     profile.outlook.spectatorFollows = true;
     profile.duration = 150;
     return profile;

@@ -8,6 +8,7 @@ namespace demo {
 namespace {
 
 constexpr Colour WIND{150, 220, 255};
+constexpr real WIND_SCALE = 0.06;     // of the wind's arrow, m for each m/s and m of distance
 constexpr real LOWEST_EYE = 0.4;      // m
 constexpr real SWING_TIME = 0.5;      // s, of the chase camera
 constexpr real FIELD_OF_VIEW = 0.85;  // rad
@@ -55,21 +56,21 @@ Camera Stage::aim(const Frame &frame, real elapsed) {
     if (behind == Vector3()) behind = Vector3::X;
 
     Camera camera;
-    camera.target = body.position;
+    camera.target = body.position + Vector3::UP * profile.outlook.height;
     camera.fieldOfView = FIELD_OF_VIEW;
     const real distance = profile.outlook.distance / zoom;
     if (viewpoint == Viewpoint::CHASE) {
-        camera.eye = body.position - behind * distance + Vector3::UP * (0.3 * distance);
+        camera.eye = camera.target - behind * distance + Vector3::UP * (0.3 * distance);
     } else if (viewpoint == Viewpoint::SIDE) {
         // From port, where the sun is at the start, and a little from behind.
         const Vector3 port = Vector3::UP % behind;
-        camera.eye = body.position + (port * 0.8 - behind * 0.5 + Vector3::UP * 0.3) * distance;
+        camera.eye = camera.target + (port * 0.8 - behind * 0.5 + Vector3::UP * 0.3) * distance;
     } else {
         camera.eye = profile.outlook.spectator;
         if (profile.outlook.spectatorFollows) camera.eye += Vector3(body.position.x, 0, body.position.z);
         // A spectator who is far off looks through glasses that make up for part of the distance.
-        const real away = std::max((body.position - camera.eye).magnitude() / profile.outlook.distance, 1.0);
-        camera.fieldOfView = std::clamp(FIELD_OF_VIEW / zoom / std::pow(away, 0.6), 0.02, 1.6);
+        const real away = std::max((camera.target - camera.eye).magnitude() / profile.outlook.distance, 1.0);
+        camera.fieldOfView = std::clamp(FIELD_OF_VIEW / zoom / std::pow(away, 0.8), 0.02, 1.6);
     }
     camera.eye.y = std::max(camera.eye.y, LOWEST_EYE);
     return camera;
@@ -85,9 +86,9 @@ void Stage::draw(Canvas &canvas, int columns, int rows, const Frame &frame, real
     if (showForces)
         for (const Arrow &arrow : frame.arrows) canvas.draw(arrow);
 
-    const real size = profile.outlook.distance;
-    canvas.draw(Arrow{"wind", frame.poses.front().position + Vector3::UP * (0.28 * size),
-                      -frame.windspeed * (0.06 * size), WIND});
+    const Vector3 middle = frame.poses.front().position + Vector3::UP * profile.outlook.windHeight;
+    const Vector3 wind = -frame.windspeed * (WIND_SCALE * profile.outlook.distance);
+    canvas.draw(Arrow{"wind", middle - wind * 0.5, wind, WIND});
 }
 
 }  // namespace demo
