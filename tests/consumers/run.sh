@@ -3,8 +3,8 @@
 # their tree, on Windows, in a debugger. Every case builds a small game (falling.cpp), runs it, and it compares
 # numbers.
 #
-#   tests/consumers/run.sh        (about two minutes; needs cmake ninja g++ clang++ pkg-config mingw-w64 gdb;
-#                                  Windows programs are run where there is wine)
+#   tests/consumers/run.sh        (about two minutes; needs cmake, make, g++, clang++, pkg-config and mingw-w64;
+#        what gdb shows is looked at where there is gdb, Windows programs run where there is wine)
 
 set -euo pipefail
 
@@ -41,7 +41,7 @@ run_game() { # DIRECTORY-OF-GAME
 }
 
 build() { # SOURCE BUILD OPTIONS...
-    quietly cmake -S "$1" -B "$2" -G Ninja "${@:3}"
+    quietly cmake -S "$1" -B "$2" "${@:3}"
     quietly cmake --build "$2" -j2
 }
 
