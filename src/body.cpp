@@ -74,9 +74,13 @@ void RigidBody::setPrincipalInertia(const Matrix3 &tensor, bool isInverse, const
                       function, "the tensor must be positive definite", tensor);
     }
 
-    inertia = isInverse ? reciprocals(values) : values;
-    setPrincipalFrame(isInverse ? values : reciprocals(values), axes);
-    setMomentumFromRotation();
+    RigidBody changed = *this;
+    changed.inertia = isInverse ? reciprocals(values) : values;
+    changed.setPrincipalFrame(isInverse ? values : reciprocals(values), axes);
+    changed.setMomentumFromRotation();
+    requireMatrix(changed.angularMomentum.isFinite(), function, "the angular momentum must stay finite",
+                  tensor);
+    *this = changed;
 }
 
 void RigidBody::setPrincipalFrame(const Vector3 &inverseMoments, const Quaternion &axes) {
@@ -115,16 +119,19 @@ Matrix3 RigidBody::getInverseInertiaTensorWorld() const {
 
 Matrix3 RigidBody::getPrincipalAxesInWorld() const { return rotationMatrix(orientation * principalAxes); }
 
-/// The momentum that belongs to the rotation: of an immovable body, and about locked axes, none.
-void RigidBody::setMomentumFromRotation() {
-    forgetForces();
-    angularMomentum.clear();
-    if (!hasFiniteMass()) return;
+/// The angular momentum of a rotation: of an immovable body, and about locked axes, none.
+Vector3 RigidBody::momentumOf(const Vector3 &turning) const {
+    if (!hasFiniteMass()) return Vector3();
     const Matrix3 axes = getPrincipalAxesInWorld();
-    Vector3 momentum = axes.transformTranspose(rotation);
+    Vector3 momentum = axes.transformTranspose(turning);
     for (unsigned axis = 0; axis < 3; ++axis)
         momentum[axis] = inverseInertia[axis] > 0 ? momentum[axis] * inertia[axis] : 0;
-    angularMomentum = axes.transform(momentum);
+    return axes.transform(momentum);
+}
+
+void RigidBody::setMomentumFromRotation() {
+    forgetForces();
+    angularMomentum = momentumOf(rotation);
 }
 
 // ---- Damping
@@ -190,6 +197,8 @@ void RigidBody::setVelocity(const Vector3 &metresPerSecond) {
 void RigidBody::setRotation(const Vector3 &radiansPerSecond) {
     requireVector(radiansPerSecond.isFinite(), "RigidBody::setRotation", "the rotation must be finite",
                   radiansPerSecond);
+    requireVector(momentumOf(radiansPerSecond).isFinite(), "RigidBody::setRotation",
+                  "the angular momentum must stay finite", radiansPerSecond);
     if (!awake && radiansPerSecond != Vector3()) setAwake(true);
     rotation = radiansPerSecond;
     setMomentumFromRotation();
@@ -202,8 +211,8 @@ void RigidBody::addVelocity(const Vector3 &change) {
 }
 
 void RigidBody::addRotation(const Vector3 &change) {
-    requireVector((rotation + change).isFinite(), "RigidBody::addRotation", "the change must be finite",
-                  change);
+    requireVector((rotation + change).isFinite() && momentumOf(rotation + change).isFinite(),
+                  "RigidBody::addRotation", "the change must be finite", change);
     setRotation(rotation + change);
 }
 
@@ -225,13 +234,33 @@ void RigidBody::dropLoads() {
     hasAdded = isGenerated = startsAfresh = inGenerator = false;
 }
 
+void RigidBody::Course::follow(const Vector3 &now) {
+    const Vector3 step = now - last;
+    const real square = now.squareMagnitude();
+    greatestSquare = std::max(greatestSquare, square);
+    if (step.squareMagnitude() > 0.25 * greatestSquare) {
+        change = Vector3();
+        greatestSquare = square;
+    } else {
+        change += step;
+    }
+    last = now;
+}
+
+void RigidBody::followAdded() {
+    if (!wasAdded) addedForces = addedTorques = Course();
+    addedForces.follow(added.force);
+    addedTorques.follow(added.torque);
+}
+
 void RigidBody::wakeForLoad(const Vector3 &force, const Vector3 &torque) {
-    if (force != Vector3() || torque != Vector3()) setAwake(true);
+    if (!faulted && (force != Vector3() || torque != Vector3())) setAwake(true);
 }
 
 void RigidBody::setAwake(bool wake) {
     if (wake) {
         motion = 2 * sleepEpsilon;
+        if (faulted) dropLoads();
         faulted = false;
     } else {
         velocity = rotation = angularMomentum = lastFrameAcceleration = Vector3();
@@ -266,6 +295,7 @@ void RigidBody::fallAsleepIfIdle(bool nothingTwists, real duration) {
 void RigidBody::keepLastGoodState() {
     dropLoads();
     forgetForces();
+    addedForces = addedTorques = Course();
     awake = false;
     faulted = true;
 }
@@ -288,6 +318,8 @@ RigidBody::State RigidBody::getState() const {
     s.lastForce = lastGenerated.force;
     s.lastTorque = lastGenerated.torque;
     s.lastDuration = lastDuration;
+    s.addedForces = addedForces;
+    s.addedTorques = addedTorques;
     s.mass = mass;
     s.inverseMass = inverseMass;
     s.inertia = inertia;
@@ -303,6 +335,8 @@ RigidBody::State RigidBody::getState() const {
     s.hasAdded = hasAdded;
     s.isGenerated = isGenerated;
     s.startsAfresh = startsAfresh;
+    s.hasStartedAfresh = hasStartedAfresh;
+    s.wasAdded = wasAdded;
     return s;
 }
 
@@ -325,6 +359,8 @@ const char *RigidBody::State::findError() const {
     if (!acceleration.isFinite()) return "the acceleration must be finite";
     if (!lastFrameAcceleration.isFinite()) return "the last frame's acceleration must be finite";
     if (!lastForce.isFinite() || !lastTorque.isFinite()) return "the last step's forces must be finite";
+    if (!addedForces.isFinite() || !addedTorques.isFinite())
+        return "the last step's added forces must be finite";
     if (!isNotNegative(lastDuration)) return "the last step's duration must be finite and not negative";
     if (!isNotNegative(inverseMass)) return "the inverse mass must be finite and not negative";
     if (!(inverseMass == 0 ? mass == REAL_MAX : real_abs(mass * inverseMass - 1) < 1e-9))
@@ -357,6 +393,8 @@ void RigidBody::setState(const State &s) {
     generated = {s.generatedForce, s.generatedTorque};
     lastGenerated = {s.lastForce, s.lastTorque};
     lastDuration = s.lastDuration;
+    addedForces = s.addedForces;
+    addedTorques = s.addedTorques;
     mass = s.mass;
     inverseMass = s.inverseMass;
     inertia = s.inertia;
@@ -370,6 +408,8 @@ void RigidBody::setState(const State &s) {
     hasAdded = s.hasAdded;
     isGenerated = s.isGenerated;
     startsAfresh = s.startsAfresh;
+    hasStartedAfresh = s.hasStartedAfresh;
+    wasAdded = s.wasAdded;
 }
 
 RigidBody::State RigidBody::State::linearInterpolate(const State &a, const State &b, real prop) {

@@ -17,7 +17,8 @@ void Vector3::normalise() {
         if (!isFinite() || largest == 0) return;
         *this = Vector3(x / largest, y / largest, z / largest);
     }
-    *this *= 1 / magnitude();
+    const real length = magnitude();
+    *this = Vector3(x / length, y / length, z / length);
 }
 
 void Vector3::trim(real size) {
@@ -39,8 +40,8 @@ void Quaternion::normalise() {
         if (!isFinite() || largest == 0) return;
         *this = Quaternion(r / largest, i / largest, j / largest, k / largest);
     }
-    const real scale = 1 / real_sqrt(squareMagnitude());
-    *this = Quaternion(r * scale, i * scale, j * scale, k * scale);
+    const real length = real_sqrt(squareMagnitude());
+    *this = Quaternion(r / length, i / length, j / length, k / length);
 }
 
 void Quaternion::addScaledVector(const Vector3 &v, real scale) {

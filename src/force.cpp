@@ -244,15 +244,23 @@ Vector3 springForce(const Vector3 &d, real springConstant, real restLength) {
 
 }  // namespace
 
-Spring::Spring(const Vector3 &point, const RigidBody *otherBody, const Vector3 &otherPoint, real constant,
-               real length)
+Spring::Spring(const char *function, const Vector3 &point, const RigidBody *otherBody,
+               const Vector3 &otherPoint, real constant, real length)
     : connectionPoint(point),
-      other(requireNonNull(otherBody, "Spring::Spring", "the other body must not be null")),
+      other(requireNonNull(otherBody, function, "the other body must not be null")),
       otherConnectionPoint(otherPoint),
       springConstant(constant),
       restLength(length) {
-    requireSpring(point, otherPoint, constant, length, "Spring::Spring");
+    requireSpring(point, otherPoint, constant, length, function);
 }
+
+Spring::Spring(const Vector3 &point, const RigidBody *otherBody, const Vector3 &otherPoint, real constant,
+               real length)
+    : Spring("Spring::Spring", point, otherBody, otherPoint, constant, length) {}
+
+Bungee::Bungee(const Vector3 &point, const RigidBody *otherBody, const Vector3 &otherPoint, real constant,
+               real length)
+    : Spring("Bungee::Bungee", point, otherBody, otherPoint, constant, length) {}
 
 Vector3 Spring::getSpan(const RigidBody &body) const {
     return body.getPointInWorldSpace(connectionPoint) - other->getPointInWorldSpace(otherConnectionPoint);

@@ -101,12 +101,6 @@ private:
     std::vector<std::thread> threads;
 };
 
-namespace {
-
-constexpr std::size_t MAX_THREADS = 256;
-
-}  // namespace
-
 Workers::Workers(std::size_t threadCount) {
     require(threadCount >= 1 && threadCount <= MAX_THREADS, "Workers::Workers",
             "the number of threads must be between 1 and 256", {static_cast<real>(threadCount)});

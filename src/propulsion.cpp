@@ -2,21 +2,33 @@
 
 namespace cyclone {
 
-Thruster::Thruster(const Vector3 &push, const Vector3 &p, real force) : position(p), maxForce(force) {
-    setDirection(push);
-    requireVector(p.isFinite(), "Thruster::Thruster", "the position must be finite", p);
-    require(force >= 0 && force <= REAL_MAX, "Thruster::Thruster",
-            "the greatest force must be finite and not negative", {force});
+namespace {
+
+void requireDirection(const Vector3 &direction, const char *function) {
+    requireVector(direction.isFinite() && direction != Vector3(), function,
+                  "the direction must be finite and not zero", direction);
 }
 
+}  // namespace
+
+Thruster::Thruster(const char *function, const Vector3 &push, const Vector3 &p, real force)
+    : direction(push.unit()), position(p), maxForce(force) {
+    requireDirection(push, function);
+    requireVector(p.isFinite(), function, "the position must be finite", p);
+    require(force >= 0 && force <= REAL_MAX, function, "the greatest force must be finite and not negative",
+            {force});
+}
+
+Thruster::Thruster(const Vector3 &push, const Vector3 &p, real force)
+    : Thruster("Thruster::Thruster", push, p, force) {}
+
 void Thruster::setThrottle(real value) {
-    require(value == value, "Thruster::setThrottle", "the throttle must be a number", {value});
+    require(real_isfinite(value), "Thruster::setThrottle", "the throttle must be finite", {value});
     throttle = real_clamp(value, 0, 1);
 }
 
 void Thruster::setDirection(const Vector3 &bodyDirection) {
-    requireVector(bodyDirection.isFinite() && bodyDirection != Vector3(), "Thruster::setDirection",
-                  "the direction must be finite and not zero", bodyDirection);
+    requireDirection(bodyDirection, "Thruster::setDirection");
     direction = bodyDirection.unit();
 }
 
@@ -27,7 +39,7 @@ Vector3 Thruster::getForce(const RigidBody &body) const {
 void Thruster::updateForce(RigidBody *body, real) { body->addForceAtBodyPoint(getForce(*body), position); }
 
 Propeller::Propeller(const Vector3 &push, const Vector3 &p, real force, real speed, const Vector3 *wind)
-    : Thruster(push, p, force), pitchSpeed(speed), windspeed(wind) {
+    : Thruster("Propeller::Propeller", push, p, force), pitchSpeed(speed), windspeed(wind) {
     require(speed > 0 && speed <= REAL_MAX, "Propeller::Propeller",
             "the pitch speed must be positive and finite", {speed});
 }

@@ -18,15 +18,17 @@ constexpr Vector3 State::*VECTORS[] = {
     &State::addedForce,      &State::addedTorque,   &State::generatedForce,
     &State::generatedTorque, &State::lastForce,     &State::lastTorque,
     &State::inertia,         &State::inverseInertia};
+constexpr RigidBody::Course State::*COURSES[] = {&State::addedForces, &State::addedTorques};
 constexpr Quaternion State::*QUATERNIONS[] = {&State::orientation, &State::principalAxes};
 constexpr real State::*REALS[] = {&State::lastDuration,  &State::mass,           &State::inverseMass,
                                   &State::linearDamping, &State::angularDamping, &State::motion,
                                   &State::sleepEpsilon};
-constexpr bool State::*FLAGS[] = {&State::awake,    &State::canSleep,    &State::faulted,
-                                  &State::hasAdded, &State::isGenerated, &State::startsAfresh};
+constexpr bool State::*FLAGS[] = {
+    &State::awake,       &State::canSleep,     &State::faulted,          &State::hasAdded,
+    &State::isGenerated, &State::startsAfresh, &State::hasStartedAfresh, &State::wasAdded};
 
 constexpr std::size_t STATE_WORDS =
-    3 * std::size(VECTORS) + 4 * std::size(QUATERNIONS) + std::size(REALS) + 1;
+    3 * std::size(VECTORS) + 7 * std::size(COURSES) + 4 * std::size(QUATERNIONS) + std::size(REALS) + 1;
 constexpr std::size_t HEADER_WORDS = 3, CHECKSUM_WORDS = 1;
 constexpr std::uint64_t MARK = 0x656e6f6c637943;  // "Cyclone"
 
@@ -55,6 +57,12 @@ Words toWords(const State &state) {
     std::uint64_t *next = result.words;
     for (auto member : VECTORS)
         for (real value : {(state.*member).x, (state.*member).y, (state.*member).z}) *next++ = bitsOf(value);
+    for (auto member : COURSES) {
+        const RigidBody::Course &c = state.*member;
+        for (real value :
+             {c.last.x, c.last.y, c.last.z, c.change.x, c.change.y, c.change.z, c.greatestSquare})
+            *next++ = bitsOf(value);
+    }
     for (auto member : QUATERNIONS) {
         const Quaternion &q = state.*member;
         for (real value : {q.r, q.i, q.j, q.k}) *next++ = bitsOf(value);
@@ -71,6 +79,12 @@ State fromWords(const Words &words) {
     for (auto member : VECTORS)
         for (real *value : {&(state.*member).x, &(state.*member).y, &(state.*member).z})
             *value = realOf(*next++);
+    for (auto member : COURSES) {
+        RigidBody::Course &c = state.*member;
+        for (real *value :
+             {&c.last.x, &c.last.y, &c.last.z, &c.change.x, &c.change.y, &c.change.z, &c.greatestSquare})
+            *value = realOf(*next++);
+    }
     for (auto member : QUATERNIONS) {
         Quaternion &q = state.*member;
         for (real *value : {&q.r, &q.i, &q.j, &q.k}) *value = realOf(*next++);

@@ -4,27 +4,36 @@
 namespace cyclone {
 
 CYCLONE_INLINE StepBlock::Twist StepBlock::kickAndDrift(Entry &entry) const {
-    const RigidBody &body = *entry.body;
+    RigidBody &body = *entry.body;
+    const real half = duration / 2;
+    Vector3 torque, angularLead;
     Twist twist;
     entry.velocity = body.velocity;
-    entry.acceleration = Vector3();
+    entry.acceleration = entry.lead = Vector3();
     if (body.hasFiniteMass()) {
-        Vector3 force = body.generated.force;
-        twist.torque = body.generated.torque;
-        if (body.hasAdded) {
-            force += body.added.force;
-            twist.torque += body.added.torque;
-        }
-        entry.acceleration = body.acceleration + force * body.inverseMass;
         const real mend = body.isGenerated ? body.lastDuration / 2 : 0;
         const Vector3 forceChange = body.generated.force - body.lastGenerated.force;
         const Vector3 torqueChange = body.generated.torque - body.lastGenerated.torque;
-        entry.velocity =
-            (body.velocity + forceChange * (mend * body.inverseMass) + entry.acceleration * (duration / 2)) *
-            body.linearFactor;
-        twist.kick = torqueChange * mend + twist.torque * (duration / 2);
+        entry.acceleration = body.acceleration + body.generated.force * body.inverseMass;
+        entry.velocity += forceChange * (mend * body.inverseMass);
+        torque = body.generated.torque;
+        twist.kick = torqueChange * mend;
+        if (body.isGenerated && body.hasStartedAfresh && mend == 0) {
+            entry.lead = body.generated.force * (half * body.inverseMass);
+            angularLead = body.generated.torque * half;
+        }
+        if (body.hasAdded) {
+            body.followAdded();
+            entry.acceleration += body.added.force * body.inverseMass;
+            torque += body.added.torque;
+            entry.lead += body.addedForces.change * (half * body.inverseMass);
+            angularLead += body.addedTorques.change * half;
+        }
+        entry.velocity = (entry.velocity + entry.acceleration * half + entry.lead) * body.linearFactor;
     }
-    entry.nothingTwists = body.canSleep && twist.torque == Vector3();
+    twist.kick += torque * half + angularLead;
+    twist.closingKick = torque * half - angularLead;
+    entry.nothingTwists = body.canSleep && torque == Vector3();
     entry.position = body.getPosition() + entry.velocity * duration;
     return twist;
 }
@@ -51,7 +60,7 @@ CYCLONE_INLINE bool StepBlock::takeOver(const Entry &entry, const Quaternion &or
                                         const Vector3 &rotation, const Vector3 &angularMomentum) {
     RigidBody &body = *entry.body;
     const real linearFactor = body.hasFiniteMass() ? body.linearFactor : 1;
-    const Vector3 velocity = entry.velocity * linearFactor + entry.acceleration * (duration / 2);
+    const Vector3 velocity = entry.velocity * linearFactor + entry.acceleration * (duration / 2) - entry.lead;
     // Whatever is not finite in orientation or momentum shows in the rotation.
     const Vector3 sum = entry.position + velocity + rotation;
     if (!real_isfinite(sum.x + sum.y + sum.z)) {
@@ -66,9 +75,12 @@ CYCLONE_INLINE bool StepBlock::takeOver(const Entry &entry, const Quaternion &or
     body.angularMomentum = angularMomentum;
     body.lastFrameAcceleration = entry.acceleration;
 
+    const bool hadNothingToRemember = body.lastDuration == 0;
     const bool isToRemember = body.isGenerated && !body.startsAfresh && body.hasFiniteMass();
     body.lastDuration = isToRemember ? duration : 0;
     if (isToRemember) body.lastGenerated = body.generated;
+    body.wasAdded = body.hasAdded;
+    body.hasStartedAfresh = body.isGenerated && hadNothingToRemember;
     body.clearAccumulators();
     if (body.canSleep) body.fallAsleepIfIdle(entry.nothingTwists, duration);
     return true;
@@ -83,8 +95,7 @@ CYCLONE_INLINE void StepBlock::gather(const RigidBody &body, const Twist &twist,
 
     const Vector3 momentum = (body.angularMomentum + twist.kick) * body.angularFactor;
     storeRenumbered(turning.momentum, row, lane, momentum);
-    storeRenumbered(turning.finalMomentum, row, lane,
-                    momentum * body.angularFactor + twist.torque * (duration / 2));
+    storeRenumbered(turning.finalMomentum, row, lane, momentum * body.angularFactor + twist.closingKick);
 }
 
 CYCLONE_INLINE void StepBlock::scatter(const Entry &entry, int lane) {
@@ -115,7 +126,7 @@ void StepBlock::turnLocked(const Entry &entry, const Twist &twist) {
         return inverseInertia.componentProduct(axes.transformTranspose(impulse));
     };
     const Vector3 spin = (axes.transformTranspose(body.rotation) + gain(twist.kick)) * factor;
-    const Vector3 rotation = spin * factor + gain(twist.torque * (duration / 2));
+    const Vector3 rotation = spin * factor + gain(twist.closingKick);
 
     Quaternion orientation = body.orientation;
     orientation.rotateByVector(axes.transform(spin) * duration);
@@ -124,9 +135,7 @@ void StepBlock::turnLocked(const Entry &entry, const Twist &twist) {
     newAxes.setOrientation(orientation * body.principalAxes);
     if (!takeOver(entry, orientation, newAxes.transform(rotation), Vector3())) return;
     body.calculateDerivedData();
-    const real lastDuration = body.lastDuration;
-    body.setMomentumFromRotation();
-    body.lastDuration = lastDuration;
+    body.angularMomentum = body.momentumOf(body.rotation);
 }
 
 void StepBlock::add(RigidBody &body) {

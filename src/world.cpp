@@ -186,6 +186,8 @@ std::uint64_t World::hash() const { return hashStates(bodies.data(), bodies.size
 // ---- Threads
 
 void World::setWorkers(std::size_t threadCount) {
+    require(threadCount <= Workers::MAX_THREADS, "World::setWorkers", "there can be at most 256 threads",
+            {static_cast<real>(threadCount)});
     std::unique_ptr<Workers> crew;
     if (threadCount > 1) crew = std::make_unique<Workers>(threadCount);
     workers = std::move(crew);

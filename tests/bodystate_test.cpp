@@ -27,10 +27,13 @@ State unusualState() {
     s.principalAxes = random.orientation();
     for (Vector3 *v : {&s.position, &s.velocity, &s.rotation, &s.angularMomentum, &s.acceleration,
                        &s.lastFrameAcceleration, &s.addedForce, &s.addedTorque, &s.generatedForce,
-                       &s.generatedTorque, &s.lastForce, &s.lastTorque})
+                       &s.generatedTorque, &s.lastForce, &s.lastTorque, &s.addedForces.last,
+                       &s.addedForces.change, &s.addedTorques.last, &s.addedTorques.change})
         *v = random.vector(10);
     s.inertia = Vector3(2, 4, 3);
     s.inverseInertia = Vector3(1.0 / 2, 1.0 / 4, 1.0 / 3);
+    s.addedForces.greatestSquare = 7;
+    s.addedTorques.greatestSquare = 8;
     s.mass = 5;
     s.inverseMass = 1.0 / 5;
     s.lastDuration = 0.02;
@@ -38,7 +41,7 @@ State unusualState() {
     s.angularDamping = 0.6;
     s.motion = 0.3;
     s.sleepEpsilon = 0.2;
-    s.canSleep = s.hasAdded = s.isGenerated = s.startsAfresh = true;
+    s.canSleep = s.hasAdded = s.isGenerated = s.startsAfresh = s.hasStartedAfresh = s.wasAdded = true;
     return s;
 }
 
@@ -47,8 +50,9 @@ State unusualState() {
 void forEachField(State &s, const std::function<void(const char *, real *, bool *)> &visit) {
     auto &[position, orientation, velocity, rotation, angularMomentum, acceleration, lastFrameAcceleration,
            addedForce, addedTorque, generatedForce, generatedTorque, lastForce, lastTorque, lastDuration,
-           mass, inverseMass, inertia, inverseInertia, principalAxes, linearDamping, angularDamping, motion,
-           sleepEpsilon, awake, canSleep, faulted, hasAdded, isGenerated, startsAfresh] = s;
+           addedForces, addedTorques, mass, inverseMass, inertia, inverseInertia, principalAxes,
+           linearDamping, angularDamping, motion, sleepEpsilon, awake, canSleep, faulted, hasAdded,
+           isGenerated, startsAfresh, hasStartedAfresh, wasAdded] = s;
     const auto vector = [&](const char *name, Vector3 &v) {
         for (real *number : {&v.x, &v.y, &v.z}) visit(name, number, nullptr);
     };
@@ -69,6 +73,12 @@ void forEachField(State &s, const std::function<void(const char *, real *, bool 
     vector("lastForce", lastForce);
     vector("lastTorque", lastTorque);
     visit("lastDuration", &lastDuration, nullptr);
+    for (RigidBody::Course *course : {&addedForces, &addedTorques}) {
+        auto &[last, change, greatestSquare] = *course;
+        vector("added forces' last", last);
+        vector("added forces' change", change);
+        visit("added forces' greatestSquare", &greatestSquare, nullptr);
+    }
     visit("mass", &mass, nullptr);
     visit("inverseMass", &inverseMass, nullptr);
     vector("inertia", inertia);
@@ -84,6 +94,8 @@ void forEachField(State &s, const std::function<void(const char *, real *, bool 
     visit("hasAdded", nullptr, &hasAdded);
     visit("isGenerated", nullptr, &isGenerated);
     visit("startsAfresh", nullptr, &startsAfresh);
+    visit("hasStartedAfresh", nullptr, &hasStartedAfresh);
+    visit("wasAdded", nullptr, &wasAdded);
 }
 
 /// All bits of a state, in the order of forEachField.
@@ -121,7 +133,7 @@ TEST(BodyState, EveryFieldCounts) {
     std::size_t count = 0;
     State dummy;
     forEachField(dummy, [&](const char *, real *, bool *) { ++count; });
-    EXPECT_EQ(count, 57U + 6U);
+    EXPECT_EQ(count, 71U + 8U);
     for (std::size_t changed = 0; changed < count; ++changed) {
         State state = unusualState();
         std::size_t n = 0;

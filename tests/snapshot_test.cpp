@@ -165,7 +165,7 @@ TEST(Restoring, BringsBackWhichBodiesHaveFaulted) {
 
 // ---- The bytes
 
-constexpr std::size_t WORDS_PER_BODY = 58;  // 57 numbers, and one of flags
+constexpr std::size_t WORDS_PER_BODY = 72;  // 71 numbers, and one of flags
 
 std::uint64_t wordAt(const Snapshot &snapshot, std::size_t index) {
     std::uint64_t word = 0;

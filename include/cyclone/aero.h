@@ -40,6 +40,9 @@ public:
     bool actsOnItsBodyOnly() const override { return true; }
 
 protected:
+    /// For derived classes: `function` is whose arguments they are.
+    Aero(const char *function, const Matrix3 &tensor, const Vector3 &position, const Vector3 *windspeed);
+
     Matrix3 tensor;
     Vector3 position;
     const Vector3 *windspeed;
@@ -53,7 +56,7 @@ public:
     AeroControl(const Matrix3 &base, const Matrix3 &min, const Matrix3 &max, const Vector3 &position,
                 const Vector3 *windspeed);
 
-    /// −1 … 1; beyond, the nearer end. Not NaN.
+    /// −1 … 1; beyond, the nearer end. Finite.
     void setControl(real value);
     real getControl() const { return control; }
 

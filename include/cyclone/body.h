@@ -9,7 +9,8 @@
 
 namespace cyclone {
 
-/// A rigid body. A plain value that can be copied; its origin is its centre of mass.
+/// A rigid body. A plain value that can be copied, the forces that have been added to it included; its origin
+/// is its centre of mass.
 ///
 /// By default it has 1 kg and unit inertia, and is at the origin, at rest, awake and undamped. Velocity and
 /// rotation (angular velocity, rad/s) are in world coordinates, SI units throughout. Derived data, such as
@@ -108,8 +109,8 @@ public:
     /// @}
 
     /// @name Forces
-    /// They act for one step: velocity changes by exactly force·duration/mass. They are not checked, see
-    /// integrate(). Any force or torque but zero wakes the body.
+    /// They act for one step: the velocity of an undamped body changes by exactly force·duration/mass. They
+    /// are not checked, see integrate(). Any force or torque but zero wakes the body.
     /// @{
 
     /// At the centre of mass, world coordinates, N.
@@ -152,7 +153,8 @@ public:
     /// Constant forces are exact and free rotation is of fourth order. Forces that change smoothly are of
     /// second order with this one evaluation, because each step mends the last one's end: velocity gains (A −
     /// A_last)·h_last/2, where A is what force generators caused through a ForceRegistry. What the caller
-    /// adds counts plainly, and setters start the memory A_last afresh.
+    /// adds counts F·h, no more and no less; acting on smoothly, it moves the body with second order too (see
+    /// step.h). Setters start these memories afresh.
     ///
     /// Returns false if the step would not be finite (a force of NaN or of absurd size): the body then keeps
     /// its last good state, drops the forces, and sleeps.
@@ -168,6 +170,18 @@ public:
     /// @name Saving and restoring
     /// @{
 
+    /// What a force, or torque, has done while it acted from step to step.
+    struct Course {
+        Vector3 last;             ///< in the last step
+        Vector3 change;           ///< from the first step to the last
+        real greatestSquare = 0;  ///< of its magnitude
+
+        /// Goes on with the force of a step; begins anew where it jumps by more than half of the greatest so
+        /// far.
+        void follow(const Vector3 &now);
+        bool isFinite() const { return last.isFinite() && change.isFinite() && greatestSquare >= 0; }
+    };
+
     /// Everything that the next step depends on, and nothing else. Same state and same forces: the same bits.
     struct CYCLONE_API State {
         Vector3 position;
@@ -178,13 +192,14 @@ public:
         Vector3 generatedForce, generatedTorque;  ///< by generators since the last step
         Vector3 lastForce, lastTorque;            ///< by generators in the last step, which took
         real lastDuration = 0;                    ///< so long; 0: nothing to remember
+        Course addedForces, addedTorques;         ///< by the caller, from step to step
         real mass = 1, inverseMass = 1;
         Vector3 inertia = Vector3(1, 1, 1), inverseInertia = Vector3(1, 1, 1);  ///< principal
         Quaternion principalAxes;  ///< from principal axes to body axes
         real linearDamping = 1, angularDamping = 1;
         real motion = 0, sleepEpsilon = 0.01;
         bool awake = true, canSleep = false, faulted = false, hasAdded = false, isGenerated = false,
-             startsAfresh = false;
+             startsAfresh = false, hasStartedAfresh = false, wasAdded = false;
 
         /// Why no body can be in this state; null if one can.
         const char *findError() const;
@@ -222,10 +237,12 @@ private:
     /// Nothing to remember; nor after this step, when some generators have been called for it already.
     void forgetForces() {
         lastDuration = 0;
+        wasAdded = false;
         if (isGenerated) startsAfresh = true;
     }
     void setPrincipalInertia(const Matrix3 &tensor, bool isInverse, const char *function);
     void setPrincipalFrame(const Vector3 &inverseMoments, const Quaternion &axes);
+    Vector3 momentumOf(const Vector3 &turning) const;
     void setMomentumFromRotation();
     bool hasLockedAxis() const {
         return inverseInertia.x == 0 || inverseInertia.y == 0 || inverseInertia.z == 0;
@@ -234,6 +251,7 @@ private:
     Matrix3 getPrincipalAxesInWorld() const;
 
     void renewDampingFactors(real duration);
+    void followAdded();
     void fallAsleepIfIdle(bool nothingTwists, real duration);
     void keepLastGoodState();
 
@@ -245,7 +263,9 @@ private:
     bool inGenerator = false;       ///< a ForceRegistry is calling one of this body's generators
     bool isGenerated = false;       ///< a ForceRegistry has called one since the last step
     bool hasAdded = false;          ///< `added` is not zero
+    bool wasAdded = false;          ///< nor was it in the last step: `addedForces` goes on
     bool startsAfresh = false;      ///< this step's forces are not to be remembered
+    bool hasStartedAfresh = false;  ///< the last step had generators, and nothing to remember
     bool hasPrincipalAxes = false;  ///< `principalAxes` is not the identity
     std::uint8_t middleAxis = 1;    ///< the principal axis of the middle inertia; of equal ones, 1
     Matrix4 transform;
@@ -265,6 +285,7 @@ private:
     real factorDuration = 0;
 
     Load added;  ///< what the caller has added since the last step
+    Course addedForces, addedTorques;
     real mass = 1;
     Vector3 inertia = Vector3(1, 1, 1);  ///< principal; infinite about a locked axis
     Quaternion principalAxes;            ///< from principal axes to body axes

@@ -135,6 +135,9 @@ public:
     bool actsOnItsBodyOnly() const override { return true; }
 
 protected:
+    /// For derived classes: `function` is whose arguments they are.
+    Spring(const char *function, const Vector3 &connectionPoint, const RigidBody *other,
+           const Vector3 &otherConnectionPoint, real springConstant, real restLength);
     /// From the other body's point to this body's, world coordinates.
     Vector3 getSpan(const RigidBody &body) const;
 
@@ -147,7 +150,9 @@ protected:
 /// A spring that only pulls: slack, it does nothing.
 class CYCLONE_API Bungee : public Spring {
 public:
-    using Spring::Spring;
+    /// As Spring.
+    Bungee(const Vector3 &connectionPoint, const RigidBody *other, const Vector3 &otherConnectionPoint,
+           real springConstant, real restLength);
     void updateForce(RigidBody *body, real duration) override;
 };
 

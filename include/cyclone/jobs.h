@@ -36,7 +36,9 @@ protected:
 /// Threads that wait between frames. One caller at a time.
 class CYCLONE_API Workers : public JobSystem {
 public:
-    /// With the calling thread, `threadCount` threads share the work; 1 to 256.
+    static constexpr std::size_t MAX_THREADS = 256;
+
+    /// With the calling thread, `threadCount` threads share the work; 1 to MAX_THREADS.
     explicit Workers(std::size_t threadCount);
     ~Workers() override;
     Workers(const Workers &) = delete;

@@ -33,10 +33,10 @@ static_assert(
     "Cyclone needs doubles without excess precision: on 32-bit x86, compile with -msse2 -mfpmath=sse.");
 
 /// The largest finite number.
-inline constexpr real REAL_MAX = std::numeric_limits<real>::max();
+inline constexpr real REAL_MAX = DBL_MAX;
 
 /// The distance from 1 to the next larger number, 2^-52.
-inline constexpr real REAL_EPSILON = std::numeric_limits<real>::epsilon();
+inline constexpr real REAL_EPSILON = DBL_EPSILON;
 
 inline constexpr real REAL_PI = 3.14159265358979323846;  ///< π
 

@@ -14,7 +14,7 @@ public:
     /// finite and not negative. The throttle is closed at first.
     Thruster(const Vector3 &direction, const Vector3 &position, real maxForce);
 
-    /// 0 … 1; beyond, the nearer end. Not NaN.
+    /// 0 … 1; beyond, the nearer end. Finite.
     void setThrottle(real value);
     real getThrottle() const { return throttle; }
     /// Turns the push, as a gimbal or an outboard motor does.
@@ -28,6 +28,9 @@ public:
     bool actsOnItsBodyOnly() const override { return true; }
 
 protected:
+    /// For derived classes: `function` is whose arguments they are.
+    Thruster(const char *function, const Vector3 &direction, const Vector3 &position, real maxForce);
+
     Vector3 direction, position;
     real maxForce;
     real throttle = 0;

@@ -19,6 +19,14 @@ namespace cyclone {
 /// and the same for angular momentum with torque, around the free rotation. A is evaluated once, at the
 /// start; the term with A_last turns the last step's closing kick into one by the force at its end, which is
 /// known only now.
+///
+/// What the caller adds has no such term, since it must count F·h at once and for good. While it acts on from
+/// step to step, the body drifts ahead of its velocity v by (F − F₀)/m·h/2, where F₀ is the force with which
+/// it began: so moves a leapfrog, stable and of second order too. A force that jumps begins anew.
+///
+/// Without A_last, v and x would both take A from the start of the step, and a spring would grow. That is
+/// nothing in one step, after a setter say; in a row of them the body drifts ahead by A·h/2, as symplectic
+/// Euler's does.
 class CYCLONE_API StepBlock {
 public:
     explicit StepBlock(real h) : duration(h) {}
@@ -36,12 +44,12 @@ private:
         RigidBody *body;
         Vector3 position, velocity;
         Vector3 acceleration;
+        Vector3 lead;        ///< how much faster than its velocity it drifts
         bool nothingTwists;  ///< no torque; asked only of bodies that may fall asleep
     };
     /// What turns it.
     struct Twist {
-        Vector3 torque;
-        Vector3 kick;  ///< what the first half of the step adds to the angular momentum
+        Vector3 kick, closingKick;  ///< added to the angular momentum before and after the free rotation
     };
 
     Twist kickAndDrift(Entry &entry) const;

@@ -34,7 +34,7 @@ public:
     /// @name Bodies
     /// @{
 
-    /// Adds a body of the caller's; once only.
+    /// Adds a body of the caller's; once only, and to one world at a time.
     void addBody(RigidBody *body);
     /// Takes a body that was added, and its registrations, out of the world; the body stays alive. Returns
     /// false if it was not in the world. Takes time in proportion to the number of bodies and registrations,
@@ -71,8 +71,9 @@ public:
 
     /// @name Saving and restoring
     /// The states of all bodies, in their order. Settings of generators (controls, throttles, winds) and the
-    /// registrations are not among them: they are the game's inputs, to be set again by the game. Run on with
-    /// the same inputs, a restored world gives the same bits as one that was never stopped.
+    /// registrations are not among them: they are the game's inputs, to be set again by the game, before the
+    /// states are restored: a change of registrations lets a body's step start afresh. Run on with the same
+    /// inputs, a restored world gives the same bits as one that was never stopped.
     /// @{
 
     /// Reuses the snapshot's memory.
