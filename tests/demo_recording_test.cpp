@@ -257,6 +257,8 @@ TEST(RecordingPage, CarriesWhatTheViewerNeedsBesides) {
     subject.surroundings.waves = {{0.25, 12, -0.5, 1.5}};
     subject.newtonsPerMetre = 40;
     subject.parts[1].twoSided = true;
+    subject.paint = {{"runway", {{{{0, 0, 1}, {2, 0, 1}, {2, 0, 0}}, {9, 9, 9}}}, false},
+                     {"stripe", {{{{0, 0, 1}, {1, 0, 1}, {1, 0, 0}}, {255, 0, 0}}}, false}};
     Recording recording(subject);
     recording.append(momentOf(subject, 0.5, 1));
     Frame restart = momentOf(subject, 0.75, 1);
@@ -284,6 +286,9 @@ TEST(RecordingPage, CarriesWhatTheViewerNeedsBesides) {
     EXPECT_EQ(data["arrows"].items[0]["colour"].text, "#010203");
     EXPECT_EQ(data["channels"].items.at(0)["unit"].text, "m");
     EXPECT_EQ(data["channels"].items[0]["panel"].text, "panel");
+    ASSERT_EQ(data["paint"].items.size(), 2u);
+    EXPECT_EQ(data["paint"].items[1]["colour"].text, "#ff0000");
+    EXPECT_EQ(data["paint"].items[1]["corners"].items.at(3).number, 1);
     const Json &part = data["parts"].items.at(1);
     EXPECT_EQ(part["name"].text, "part 1");
     EXPECT_EQ(part["twoSided"].number, 1);

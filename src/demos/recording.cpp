@@ -18,10 +18,10 @@ using cyclone::require;
 namespace {
 
 // What rounding may cost, in a column of numbers.
-constexpr real positionTolerance = 0.0004;  // m
-constexpr real orientationTolerance = 2e-5;
-constexpr real windTolerance = 0.001;  // m/s
-constexpr real timeTolerance = 1e-7;   // s: below a float's, which is then used
+constexpr real POSITION_TOLERANCE = 0.0004;  // m
+constexpr real ORIENTATION_TOLERANCE = 2e-5;
+constexpr real WIND_TOLERANCE = 0.001;  // m/s
+constexpr real TIME_TOLERANCE = 1e-7;   // s: below a float's, which is then used
 
 using Column = std::vector<real>;
 
@@ -139,7 +139,7 @@ std::string encode(std::vector<Quaternion> track) {
     return list(components, [&](const real Quaternion::*component) {
         Column column;
         for (const Quaternion &q : track) column.push_back(q.*component);
-        return encode(column, orientationTolerance);
+        return encode(column, ORIENTATION_TOLERANCE);
     });
 }
 
@@ -173,7 +173,7 @@ std::string encodeMotion(const std::vector<Frame> &frames, std::size_t part) {
         orientations.push_back(onBody ? frame.poses[0].orientation.conjugate() * orientation : orientation);
     }
     return "\"onBody\":" + std::string(onBody ? "true" : "false") +
-           ",\"position\":" + encode(onBody ? fromBody : inWorld, positionTolerance) +
+           ",\"position\":" + encode(onBody ? fromBody : inWorld, POSITION_TOLERANCE) +
            ",\"orientation\":" + encode(orientations);
 }
 
@@ -196,6 +196,12 @@ std::string encodeParts(const Recording &recording) {
     });
 }
 
+std::string encodePaint(const std::vector<Part> &paint) {
+    std::vector<Face> faces;
+    for (const Part &part : paint) faces.insert(faces.end(), part.faces.begin(), part.faces.end());
+    return list(faces, encodeFace);
+}
+
 /// Tails as seen from the body, where most surfaces stay; vectors in the world.
 std::string encodeArrows(const std::vector<Frame> &frames) {
     std::size_t index = 0;
@@ -207,8 +213,8 @@ std::string encodeArrows(const std::vector<Frame> &frames) {
         }
         ++index;
         return "\n{\"name\":" + quoted(arrow.name) + ",\"colour\":" + quoted(arrow.colour) +
-               ",\"tail\":" + encode(tails, positionTolerance) +
-               ",\"vector\":" + encode(vectors, positionTolerance) + '}';
+               ",\"tail\":" + encode(tails, POSITION_TOLERANCE) +
+               ",\"vector\":" + encode(vectors, POSITION_TOLERANCE) + '}';
     });
 }
 
@@ -243,7 +249,7 @@ std::string encodeCuts(const std::vector<Frame> &frames) {
 std::string encodeWind(const std::vector<Frame> &frames) {
     std::vector<Vector3> winds;
     for (const Frame &frame : frames) winds.push_back(frame.windspeed);
-    return encode(winds, windTolerance);
+    return encode(winds, WIND_TOLERANCE);
 }
 
 bool isFinite(const Pose &pose) {
@@ -257,11 +263,12 @@ bool isFinite(const Arrow &arrow) { return arrow.tail.isFinite() && arrow.vector
 Recording::Recording(Subject what) : subject(std::move(what)) {
     const char *function = "Recording::Recording";
     require(!subject.parts.empty(), function, "there must be a part at least, the body");
-    for (const Part &part : subject.parts)
-        for (const Face &face : part.faces)
-            for (const Vector3 &corner : face.corners)
-                require(corner.isFinite(), function, "a corner must be finite",
-                        {corner.x, corner.y, corner.z});
+    for (const auto *parts : {&subject.parts, &subject.paint})
+        for (const Part &part : *parts)
+            for (const Face &face : part.faces)
+                for (const Vector3 &corner : face.corners)
+                    require(corner.isFinite(), function, "a corner must be finite",
+                            {corner.x, corner.y, corner.z});
     for (const WaveTrain &wave : subject.surroundings.waves) {
         require(std::isfinite(wave.amplitude + wave.direction + wave.phase), function,
                 "a wave must be finite");
@@ -316,9 +323,10 @@ void writePage(std::ostream &out, const Recording &recording) {
         ",\n\"events\":" + list(recording.getEvents(), encodeEvent) +
         ",\n\"frames\":" + std::to_string(frames.size()) + ",\"cuts\":" + encodeCuts(frames) +
         ",\n\"time\":" +
-        encode(gather(frames, [](const Frame &frame) { return frame.time; }), timeTolerance) +
+        encode(gather(frames, [](const Frame &frame) { return frame.time; }), TIME_TOLERANCE) +
         ",\n\"windspeed\":" + encodeWind(frames) + ",\n\"parts\":" + encodeParts(recording) +
-        ",\n\"arrows\":" + encodeArrows(frames) + ",\n\"channels\":" + encodeChannels(recording) + "}";
+        ",\n\"paint\":" + encodePaint(subject.paint) + ",\n\"arrows\":" + encodeArrows(frames) +
+        ",\n\"channels\":" + encodeChannels(recording) + "}";
     out << viewerPageHead << data << viewerPageTail;
 }
 

@@ -23,6 +23,7 @@ struct Subject {
     std::string kind;  ///< a word or two above the title, such as "flight"
     Surroundings surroundings;
     std::vector<Part> parts;  ///< parts[0] is the vehicle's body: the cameras follow it, along its +X
+    std::vector<Part> paint;  ///< flat marks on the ground in world coordinates, the later upon the earlier
     std::vector<Channel> channels;
     real newtonsPerMetre =
         0;  ///< the scale of the force arrows, so that the page can say newtons; 0: it doesn't

@@ -10,8 +10,6 @@ namespace demo {
 namespace {
 
 constexpr real FRAMES_PER_SECOND = 30;
-/// The page's paint lies a little above its ground.
-constexpr real PAINT_HEIGHT = 0.02;  // m
 
 std::string written(real value) {
     char text[40];
@@ -25,14 +23,13 @@ void writeCsvLine(std::ostream &out, const Frame &frame) {
     out << '\n';
 }
 
-/// With the paint as further parts, in layers.
 Subject makeSubject(const Profile &profile) {
     Subject subject;
     subject.title = profile.title;
     subject.kind = profile.kind;
     subject.surroundings = profile.surroundings;
     subject.parts = profile.parts;
-    subject.parts.insert(subject.parts.end(), profile.paint.begin(), profile.paint.end());
+    subject.paint = profile.paint;
     subject.newtonsPerMetre = profile.newtonsPerMetre;
     for (const Quantity &quantity : profile.quantities)
         if (!quantity.panel.empty())
@@ -40,13 +37,8 @@ Subject makeSubject(const Profile &profile) {
     return subject;
 }
 
-/// As the recording wants it: see makeSubject().
+/// With the values that the page plots.
 Frame forRecording(Frame frame, const Profile &profile) {
-    real height = 0;
-    for (std::size_t n = 0; n < profile.paint.size(); ++n) {
-        height = n == 0 ? PAINT_HEIGHT : 2 * PAINT_HEIGHT;
-        frame.poses.push_back({Vector3(0, height, 0), Quaternion()});
-    }
     std::vector<real> values;
     for (std::size_t n = 0; n < frame.values.size(); ++n)
         if (!profile.quantities[n].panel.empty()) values.push_back(frame.values[n]);

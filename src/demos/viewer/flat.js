@@ -13,6 +13,7 @@ class FlatPainter {
         this.matrix = Mat.multiply(Mat.perspective(view.fov, width / height, near, 40000), camera);
         this.paintSky(view, camera);
         this.paintGrid(view, moment);
+        this.paintMarks();
         this.paintTrail(moment.time);
         this.paintShadow(moment);
         this.paintParts(moment, view.eye);
@@ -73,6 +74,17 @@ class FlatPainter {
         pen.globalAlpha = 1;
     }
 
+    paintMarks() {
+        const { pen, look, run } = this, light = look.ambient + 0.08 + look.sunlight * sun[1];
+        for (const { corners, colour } of run.paint) {
+            pen.fillStyle = this.shade(colour, light);
+            this.trace(corners, true);
+            pen.fill();
+        }
+    }
+
+    shade(colour, light) { return `rgb(${rgb(colour).map(level => Math.round(Math.min(255, 255 * level * light)))})`; }
+
     paintTrail(now) {
         const { pen, look, run } = this;
         pen.strokeStyle = look.trail;
@@ -118,13 +130,13 @@ class FlatPainter {
             if (behind) normal = Vec.scale(normal, -1);
             const facing = Vec.dot(normal, sun), through = part.twoSided ? -0.7 * facing : 0;
             const light = look.ambient + 0.08 * normal[1] + look.sunlight * Math.max(facing, through);
-            faces.push({ corners, distance: Vec.size(toEye), colour: rgb(face.colour).map(level => Math.min(255, 255 * level * light)) });
+            faces.push({ corners, distance: Vec.size(toEye), colour: this.shade(face.colour, light) });
         }));
         faces.sort((a, b) => b.distance - a.distance);
         pen.lineJoin = 'round';
         pen.lineWidth = 0.7;
         for (const { corners, colour } of faces) {
-            pen.fillStyle = pen.strokeStyle = `rgb(${colour.map(Math.round)})`;
+            pen.fillStyle = pen.strokeStyle = colour;
             this.trace(corners, true);
             pen.fill();
             pen.stroke();

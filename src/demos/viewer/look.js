@@ -32,7 +32,7 @@ function windArrow(run, moment) {
     const speed = Vec.size(moment.windspeed);
     if (speed < 0.02 * run.strongestWind || speed === 0) return null;
     const vector = Vec.scale(moment.windspeed, -1.1 * run.radius / run.strongestWind);
-    const middle = Vec.add(moment.poses[0].position, [0, run.middle[1] + run.radius, 0]);
+    const middle = Vec.add(moment.poses[0].position, [0, run.middle[1] + 1.3 * run.radius, 0]);
     return { name: 'wind', tail: Vec.mad(middle, vector, -0.5), vector, value: `${speed.toFixed(1)} m/s` };
 }
 

@@ -31,8 +31,9 @@ class Run {
             windspeed: data.windspeed.map(decode),
             parts: data.parts.map(part => ({
                 ...part, position: part.position.map(decode), orientation: part.orientation.map(decode),
-                faces: part.faces.map(face => ({ colour: face.colour, corners: Run.triples(face.corners) })),
+                faces: part.faces.map(Run.face),
             })),
+            paint: data.paint.map(Run.face),
             arrows: data.arrows.map(a => ({ ...a, tail: a.tail.map(decode), vector: a.vector.map(decode) })),
             channels: data.channels.map(channel => ({ ...channel, values: decode(channel.values) })),
             waves: data.waves.map(wave => {
@@ -51,8 +52,8 @@ class Run {
         this.measure();
     }
 
-    static triples(flat) {
-        return Array.from({ length: flat.length / 3 }, (_, n) => flat.slice(3 * n, 3 * n + 3));
+    static face({ colour, corners }) {
+        return { colour, corners: Array.from({ length: corners.length / 3 }, (_, n) => corners.slice(3 * n, 3 * n + 3)) };
     }
 
     /// The vehicle's size, its middle in the body's frame, and the strongest wind.

@@ -22,6 +22,7 @@ function sampleRecording() {
                 orientation: [0, 1, 2, 3].map(i => product.map(q => q[i])) },
             { name: 'wings', twoSided: true, onBody: true, faces: wings, position: [0, 0, 0], orientation: [1, 0, 0, 0] },
         ],
+        paint: [face('#6b6e72', [-20, 0, 34], [20, 0, 34], [20, 0, 26], [-20, 0, 26])],
         arrows: [{ name: 'lift', colour: '#1f77a4', tail: [0, 0.1, 0], vector: [turn.map(a => -0.6 * Math.sin(a)), 1.3, turn.map(a => 0.6 * Math.cos(a))] }],
         channels: [{ name: 'altitude', unit: 'm', panel: 'Altitude', values: height }, { name: 'bank', unit: '°', panel: 'Attitude', values: 26 },
             { name: 'pitch', unit: '°', panel: 'Attitude', values: zeros }],

@@ -22,6 +22,20 @@ const shaders = {
             return y;
         }`,
 
+    /// The vehicle's shadow, straight below it, from its silhouette.
+    shadow: `
+        uniform vec4 shadow;  // middle x, z, half width, softness
+        uniform sampler2D silhouette;
+        float shadowAt(vec2 at) {
+            vec2 uv = (at - shadow.xy) / shadow.z;
+            if (max(abs(uv.x), abs(uv.y)) > 1.0) return 0.0;
+            float sum = 0.0;
+            for (int i = -2; i <= 2; ++i)
+                for (int j = -2; j <= 2; ++j)
+                    sum += texture(silhouette, uv * 0.5 + 0.5 + vec2(i, j) * shadow.w).r;
+            return sum / 25.0;
+        }`,
+
     sky: {
         vertex: () => `
             out vec2 at;
@@ -68,13 +82,11 @@ const shaders = {
                 world = vec3(at.x, sea(at) * (1.0 - smoothstep(150.0, 600.0, length(place))), at.y);
                 gl_Position = viewProjection * vec4(world, 1.0);
             }`,
-        fragment: run => `${shaders.air}${shaders.waves(run.waves.length)}
+        fragment: run => `${shaders.air}${shaders.waves(run.waves.length)}${shaders.shadow}
             #define SEA ${run.sea ? 1 : 0}
             uniform vec3 near, far, line, foam, shade;
             uniform vec2 grid;
-            uniform vec4 shadow;  // middle x, z, half width, softness
             uniform float glitter, time, size;
-            uniform sampler2D silhouette;
             in vec3 world;
             out vec4 colour;
 
@@ -83,15 +95,6 @@ const shaders = {
                 vec2 d = abs(fract(g - 0.5) - 0.5) / w;
                 float visible = 1.0 - smoothstep(0.12, 0.45, max(w.x, w.y));
                 return (1.0 - smoothstep(width - 0.5, width + 0.5, min(d.x, d.y))) * visible;
-            }
-            float shadowAt(vec2 at) {
-                vec2 uv = (at - shadow.xy) / shadow.z;
-                if (max(abs(uv.x), abs(uv.y)) > 1.0) return 0.0;
-                float sum = 0.0;
-                for (int i = -2; i <= 2; ++i)
-                    for (int j = -2; j <= 2; ++j)
-                        sum += texture(silhouette, uv * 0.5 + 0.5 + vec2(i, j) * shadow.w).r;
-                return sum / 25.0;
             }
             vec3 waterNormal(vec2 at) {
                 vec2 slope = vec2(0.0);
@@ -125,6 +128,29 @@ const shaders = {
                 base = mix(base, line, min(drawn, 1.3) * strength * 0.75);
                 base = mix(base, shade, shadowAt(world.xz) * (SEA == 1 ? 0.35 : 0.5));
                 colour = vec4(haze(base, world, 1500.0), 1.0);
+            }`,
+    },
+
+    /// Flat marks on the ground, which take shadows.
+    paint: {
+        vertex: () => `
+            layout(location = 0) in vec3 place;
+            layout(location = 2) in vec3 paint;
+            uniform mat4 viewProjection;
+            out vec3 world, tint;
+            void main() {
+                world = place + vec3(0.0, 0.02, 0.0);  // clear of the ground
+                tint = paint;
+                gl_Position = viewProjection * vec4(world, 1.0);
+            }`,
+        fragment: () => `${shaders.air}${shaders.shadow}
+            uniform vec3 shade;
+            uniform float ambient, sunlight;
+            in vec3 world, tint;
+            out vec4 colour;
+            void main() {
+                vec3 lit = tint * (ambient + 0.08 + sunlight * sun.y);
+                colour = vec4(haze(mix(lit, shade, shadowAt(world.xz) * 0.5), world, 1500.0), 1.0);
             }`,
     },
 

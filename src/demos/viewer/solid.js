@@ -10,8 +10,9 @@ class SolidPainter {
 
     constructor(gl, run) {
         Object.assign(this, { gl, run, programs: {}, uniforms: {} });
-        for (const name of ['sky', 'surface', 'solid', 'silhouette', 'trail']) this.build(name);
+        for (const name of ['sky', 'surface', 'paint', 'solid', 'silhouette', 'trail']) this.build(name);
         this.parts = run.parts.map(part => this.mesh(SolidPainter.triangles(part.faces)));
+        this.marks = this.mesh(SolidPainter.triangles(run.paint));
         this.shaft = this.mesh(SolidPainter.triangles(SolidPainter.prism(1)));
         this.head = this.mesh(SolidPainter.triangles(SolidPainter.prism(0)));
         this.disc = this.makeDisc();
@@ -156,6 +157,7 @@ class SolidPainter {
         this.paintSky(shared, camera, view.fov, width / height);
         gl.enable(gl.DEPTH_TEST);
         this.paintSurface(shared, view, look, shadow, height);
+        this.paintMarks(shared, look, shadow);
         this.paintParts(shared, matrices);
         this.paintTrail(shared, look, moment.time, height);
         this.paintArrows(shared, arrows, view.eye, pixel);
@@ -199,6 +201,15 @@ class SolidPainter {
         gl.bindVertexArray(this.disc.array);
         gl.drawElements(gl.TRIANGLES, this.disc.count, gl.UNSIGNED_INT, 0);
         gl.disable(gl.POLYGON_OFFSET_FILL);
+    }
+
+    /// The later upon the earlier.
+    paintMarks(shared, look, shadow) {
+        const { gl } = this;
+        gl.depthMask(false);
+        this.use('paint', { ...shared, shade: rgb(look.shadow), shadow, silhouette: 0 });
+        this.draw(this.marks);
+        gl.depthMask(true);
     }
 
     paintParts(shared, matrices) {

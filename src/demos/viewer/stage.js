@@ -1,6 +1,13 @@
 'use strict';
 // The picture: its canvas and painter, the names at the arrows, and the hand that turns the camera.
 
+/// Whether a box [left, top, width, height] lies within the picture and apart from all others.
+function fits(box, width, height, others) {
+    const meets = other => box[0] < other[0] + other[2] && other[0] < box[0] + box[2] &&
+        box[1] < other[1] + other[3] && other[1] < box[1] + box[3];
+    return box[0] >= 4 && box[0] + box[2] <= width - 4 && box[1] >= 0 && box[1] + box[3] <= height && !others.some(meets);
+}
+
 class Stage {
     constructor(run, changed) {
         this.run = run;
@@ -38,7 +45,7 @@ class Stage {
         this.scale.textContent = `grid ${cell < 1000 ? `${cell} m` : `${cell / 1000} km`}`;
     }
 
-    /// A name at each arrow's tip, unless the arrow is short or something else is there already.
+    /// A name at each arrow's tip, where there is room, unless the arrow is short.
     placeLabels(arrows, view, width, height) {
         const near = 0.01, matrix = Mat.multiply(Mat.perspective(view.fov, width / height, near, 40000), Mat.look(view.eye, view.target));
         const image = p => {
@@ -51,11 +58,10 @@ class Stage {
             const text = arrow && `${arrow.name} ${arrow.value}`.trim();
             let box = null;
             if (tail && tip && Math.hypot(tip[0] - tail[0], tip[1] - tail[1]) > 14) {
-                const wide = 6.2 * text.length + 6, left = tip[0] < tail[0] ? tip[0] - wide - 4 : tip[0] + 4;
-                box = [clamp(left, 4, width - wide - 4), tip[1] - (tip[1] < tail[1] ? 14 : 2), wide, 16];
-                const clash = other => box[0] < other[0] + other[2] && other[0] < box[0] + box[2] &&
-                    box[1] < other[1] + other[3] && other[1] < box[1] + box[3];
-                if (tip[0] < 0 || tip[0] > width || box[1] < 0 || box[1] > height - 16 || taken.some(clash)) box = null;
+                const wide = 6.2 * text.length + 6, right = tip[0] + 4, left = tip[0] - wide - 4;
+                const sides = tip[0] < tail[0] ? [left, right] : [right, left], top = tip[1] - (tip[1] < tail[1] ? 14 : 2);
+                const places = [...sides.map(x => [x, top]), [tip[0] - wide / 2, tip[1] - 22], ...sides.map(x => [x, top + 16])];
+                box = places.map(([x, y]) => [x, y, wide, 16]).find(place => fits(place, width, height, taken)) || null;
             }
             label.hidden = !box;
             if (!box) return;
