@@ -1,5 +1,6 @@
 #include "loop.h"
 
+#include <cyclone/version.h>
 #include <gtest/gtest.h>
 
 #include <cstdio>
@@ -69,7 +70,7 @@ TEST_F(DemoLoop, TheSeedDecides) {
 TEST_F(DemoLoop, ARecordedRunPlaysBackWithItsSettings) {
     const std::string script = path("script.txt");
     const Outcome flown =
-        run({"--seconds", "6", "--seed", "9", "--wind", "2.5", "--gust=0.7", "--record", script.c_str()});
+        run({"--seconds", "6", "--seed", "9", "--wind", "2.5", "--gusts=0.7", "--record", script.c_str()});
     const Outcome replayed = run({"--seconds", "6", "--input", script.c_str()});
     EXPECT_EQ(replayed.status, 0);
     EXPECT_EQ(lastLine(replayed.out), lastLine(flown.out));
@@ -110,6 +111,29 @@ TEST_F(DemoLoop, MistakesAreOneLineAndStatusTwo) {
         EXPECT_EQ(outcome.err.find('\n'), outcome.err.size() - 1) << outcome.err;
     }
     EXPECT_NE(run({"--input", bad.c_str()}).err.find("line 2"), std::string::npos);
+    EXPECT_NE(run({"--csv", bad.c_str(), "--html", bad.c_str()}).err.find("twice"), std::string::npos);
+}
+
+TEST_F(DemoLoop, LeavesNoFilesBehindWhenOneCannotBeWritten) {
+    const std::string csv = path("a.csv"), unwritable = testing::TempDir() + "no/such/directory/file";
+    EXPECT_EQ(run({"--seconds", "1", "--csv", csv.c_str(), "--still", unwritable.c_str()}).status, 2);
+    EXPECT_FALSE(std::ifstream(csv));
+}
+
+TEST_F(DemoLoop, RefusesAPageTooLongToLoad) {
+    const std::string html = path("long.html");
+    const Outcome outcome = run({"--seconds", "3601", "--html", html.c_str()});
+    EXPECT_EQ(outcome.status, 2);
+    EXPECT_NE(outcome.err.find("3600 s"), std::string::npos) << outcome.err;
+    EXPECT_FALSE(std::ifstream(html));
+}
+
+TEST_F(DemoLoop, HelpAndVersionSayWhatIsTrue) {
+    const std::string help = run({"--help"}).out;
+    EXPECT_NE(help.find("at most 120"), std::string::npos) << help;
+    EXPECT_EQ(run({"--version"}).out, "flightsim " + std::to_string(CYCLONE_VERSION_MAJOR) + '.' +
+                                          std::to_string(CYCLONE_VERSION_MINOR) + '.' +
+                                          std::to_string(CYCLONE_VERSION_PATCH) + '\n');
 }
 
 TEST_F(DemoLoop, MakesAProductInsteadOfARun) {

@@ -16,7 +16,7 @@ namespace {
 /// A program with one option of each kind.
 class DemoOptions : public testing::Test {
 protected:
-    bool still = false;
+    std::optional<real> still;
     real seconds = 60;
     unsigned long long seed = 1;
     std::string csv, sea = "calm";
@@ -24,7 +24,7 @@ protected:
     std::ostringstream out, err;
 
     DemoOptions() {
-        options.addFlag("still", "One picture only", still);
+        options.addNumber("still", "T", "One picture, at T (none)", still, 0, 100);
         options.addNumber("seconds", "N", "Run for N seconds", seconds, -5, 3600);
         options.addInteger("seed", "N", "Start of the random numbers", seed, 1000);
         options.addText("csv", "FILE", "Write a table", csv);
@@ -45,7 +45,7 @@ protected:
         EXPECT_NE(text.find(word), std::string::npos) << text;
         EXPECT_EQ(text.find('\n'), text.size() - 1) << text;
         EXPECT_EQ(out.str(), "");
-        EXPECT_FALSE(still);
+        EXPECT_EQ(still, std::nullopt);
         EXPECT_EQ(seconds, 60);
         EXPECT_EQ(seed, 1u);
         EXPECT_EQ(csv, "");
@@ -61,13 +61,13 @@ TEST_F(DemoOptions, NothingGivenLeavesTheDefaults) {
 }
 
 TEST_F(DemoOptions, TakesValuesInBothForms) {
-    EXPECT_EQ(parse({"--seconds", "2.5", "--seed=7", "--csv", "a=b.csv", "--sea=wavy", "--still"}),
+    EXPECT_EQ(parse({"--seconds", "2.5", "--seed=7", "--csv", "a=b.csv", "--sea=wavy", "--still", "7"}),
               std::nullopt);
     EXPECT_EQ(seconds, 2.5);
     EXPECT_EQ(seed, 7u);
     EXPECT_EQ(csv, "a=b.csv");
     EXPECT_EQ(sea, "wavy");
-    EXPECT_TRUE(still);
+    EXPECT_EQ(still, 7.0);
     EXPECT_TRUE(options.wasGiven("seed"));
     EXPECT_THROW(options.wasGiven("sead"), std::logic_error);
 }
@@ -84,9 +84,9 @@ TEST_F(DemoOptions, WorksWithoutAnyArgumentVector) {
 TEST_F(DemoOptions, HelpTellsEveryOptionOnce) {
     EXPECT_EQ(parse({"--seconds", "nonsense", "--help"}), 0);
     const std::string text = out.str();
-    for (const char *line :
-         {"Usage: boat [options]", "Sails.", "--still ", "--seconds N ", "Run for N seconds (60)",
-          "--csv FILE ", "--sea calm|wavy ", "The sea (calm)", "--help ", "--version "}) {
+    for (const char *line : {"Usage: boat [options]", "Sails.", "--still T ", "One picture, at T (none)\n",
+                             "--seconds N ", "Run for N seconds (60)", "--csv FILE ", "--sea calm|wavy ",
+                             "The sea (calm)", "--help ", "--version "}) {
         const std::size_t first = text.find(line);
         EXPECT_NE(first, std::string::npos) << line;
         EXPECT_EQ(text.find(line, first + 1), std::string::npos) << line;
@@ -105,7 +105,7 @@ TEST_F(DemoOptions, ShortOption) { expectMistake({"-s"}, "'-s'"); }
 TEST_F(DemoOptions, MissingValueAtTheEnd) { expectMistake({"--csv"}, "--csv needs a value, FILE"); }
 TEST_F(DemoOptions, MissingValueBeforeAnother) { expectMistake({"--csv", "--still"}, "--csv needs a value"); }
 TEST_F(DemoOptions, EmptyText) { expectMistake({"--csv="}, "empty"); }
-TEST_F(DemoOptions, ValueForAFlag) { expectMistake({"--still=yes"}, "--still takes no value"); }
+TEST_F(DemoOptions, OptionalNumberTooLarge) { expectMistake({"--still", "101"}, "not between 0 and 100"); }
 TEST_F(DemoOptions, GivenTwice) { expectMistake({"--seed", "2", "--seed", "3"}, "--seed is given twice"); }
 TEST_F(DemoOptions, NotAChoice) { expectMistake({"--sea", "rough"}, "'rough' is none of calm, wavy"); }
 TEST_F(DemoOptions, NumberTooLarge) { expectMistake({"--seconds", "3600.1"}, "not between -5 and 3600"); }
@@ -133,7 +133,7 @@ TEST_F(DemoOptions, MalformedIntegers) {
 }
 
 TEST_F(DemoOptions, DeclaringTwiceIsAProgrammersMistake) {
-    EXPECT_THROW(options.addFlag("still", "Again", still), std::logic_error);
+    EXPECT_THROW(options.addNumber("still", "T", "Again", still, 0, 1), std::logic_error);
 }
 
 std::string messageOf(const std::function<void()> &action) {
@@ -168,6 +168,15 @@ TEST(DemoFiles, ADirectoryIsNotAFile) {
     const std::string path = std::filesystem::temp_directory_path().string();
     EXPECT_NE(messageOf([&] { OutputFile file(path); }), "");
     EXPECT_NE(messageOf([&] { readFile(path); }), "");
+}
+
+TEST(DemoFiles, WhatIsNotFinishedIsRemoved) {
+    const std::string path = testing::TempDir() + "cyclone_unfinished";
+    {
+        OutputFile file(path);
+        file.stream() << "half";
+    }
+    EXPECT_THROW(readFile(path), std::runtime_error);
 }
 
 TEST(DemoFiles, AFullDiskShowsWhenTheFileIsFinished) {

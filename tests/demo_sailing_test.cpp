@@ -187,8 +187,8 @@ TEST(Sailing, ShowsWhatABoatAtRestWouldShow) {
     sailing.begin(0, {0, 0, 0});
     run(sailing, 300, false);  // no wind, no pilot: she comes to rest
     const std::string line = sailing.getHeadUpLine();
-    EXPECT_NE(line.find("heel 0°  sail 0°  rudder 0°"), std::string::npos) << line;
-    EXPECT_NE(line.find("  0.0 m/s"), std::string::npos) << line;
+    EXPECT_NE(line.find("HEEL 0  SAIL 0  RUD 0"), std::string::npos) << line;
+    EXPECT_NE(line.find("SPD 0.0"), std::string::npos) << line;
 }
 
 }  // namespace

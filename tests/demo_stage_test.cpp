@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "flight.h"
+#include "sailing.h"
 
 using namespace demo;
 
@@ -62,5 +63,22 @@ TEST(DemoStage, EveryCameraSeesTheVehicleInTheMiddleWhereverItIs) {
             EXPECT_NEAR(red->x, 100, 25) << Stage::getName(viewpoint);
             EXPECT_NEAR(red->y, 50, 25) << Stage::getName(viewpoint);
         }
+    }
+}
+
+TEST(DemoStage, TheBoatFillsThePictureFromHullToMasthead) {
+    Sailing sailing;
+    const Vector3 place = sailing.getFrame().poses[0].position;
+    for (const Viewpoint viewpoint : {Viewpoint::SPECTATOR, Viewpoint::CHASE, Viewpoint::SIDE}) {
+        Stage stage(sailing.getProfile());
+        stage.viewpoint = viewpoint;
+        Canvas canvas;
+        stage.draw(canvas, 200, 50, sailing.getFrame(), 0);
+        real x = 0, keel = 0, masthead = 0;
+        ASSERT_TRUE(canvas.view().project(place - Vector3::UP, x, keel));
+        ASSERT_TRUE(canvas.view().project(place + Vector3::UP * 7.9, x, masthead));
+        EXPECT_GT(masthead, 5) << Stage::getName(viewpoint);
+        EXPECT_LT(keel, 95) << Stage::getName(viewpoint);
+        EXPECT_GT(keel - masthead, 50) << Stage::getName(viewpoint);
     }
 }

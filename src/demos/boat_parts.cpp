@@ -1,6 +1,6 @@
 #include "boat_parts.h"
 
-#include <array>
+#include "solids.h"
 
 namespace demo {
 
@@ -11,38 +11,6 @@ constexpr Colour HULL{236, 239, 242}, KEEL{196, 60, 48}, DECK{120, 170, 205}, BE
     PANEL{38, 98, 158}, FOIL{214, 186, 90};
 
 const Vector3 MAST_FOOT(0.5, -0.05, 0), RUDDER_STOCK(-2.3, -0.15, 0);
-
-/// Adds a convex face, wound so that its front looks away from `inside`.
-void addFace(Part &part, std::vector<Vector3> corners, const Vector3 &inside, Colour colour) {
-    const Vector3 normal = (corners[1] - corners[0]) % (corners[2] - corners[0]);
-    if (normal * (corners[0] - inside) < 0) corners = {corners.rbegin(), corners.rend()};
-    part.faces.push_back({std::move(corners), colour});
-}
-
-/// The solid between two polygons of equally many corners, with its ends.
-void addLoft(Part &part, const std::vector<Vector3> &from, const std::vector<Vector3> &to,
-             const std::vector<Colour> &sides, Colour ends) {
-    Vector3 inside;
-    for (const Vector3 &corner : from) inside += corner;
-    for (const Vector3 &corner : to) inside += corner;
-    inside *= 0.5 / static_cast<real>(from.size());
-    for (std::size_t n = 0; n < from.size(); ++n) {
-        const std::size_t next = (n + 1) % from.size();
-        const Colour colour = sides[n % sides.size()];
-        addFace(part, {from[n], from[next], to[next]}, inside, colour);
-        addFace(part, {from[n], to[next], to[n]}, inside, colour);
-    }
-    addFace(part, from, inside, ends);
-    addFace(part, to, inside, ends);
-}
-
-void addBlock(Part &part, const Vector3 &low, const Vector3 &high, Colour colour) {
-    const auto side = [&](real x) {
-        return std::vector<Vector3>{
-            {x, low.y, low.z}, {x, high.y, low.z}, {x, high.y, high.z}, {x, low.y, high.z}};
-    };
-    addLoft(part, side(low.x), side(high.x), {colour}, colour);
-}
 
 /// A hull's cross section: deck, side, bottom.
 std::vector<Vector3> makeSection(real x, real z, real halfWidth, real deck, real keel) {
@@ -57,17 +25,16 @@ std::vector<Vector3> makeSection(real x, real z, real halfWidth, real deck, real
 void addHull(Part &part, real z) {
     const real deck = Catamaran::HULL_HEIGHT + Catamaran::HULL_HALF_DEPTH;
     const real keel = Catamaran::HULL_HEIGHT - Catamaran::HULL_HALF_DEPTH;
-    const std::array<std::vector<Vector3>, 5> sections = {
-        makeSection(-3, z, 0.17, deck - 0.1, keel + 0.25), makeSection(-1.2, z, 0.22, deck, keel),
-        makeSection(0.8, z, 0.22, deck, keel), makeSection(2.2, z, 0.14, deck, keel + 0.05),
-        makeSection(3.1, z, 0.02, deck + 0.02, keel + 0.35)};
-    for (std::size_t n = 0; n + 1 < sections.size(); ++n)
-        addLoft(part, sections[n], sections[n + 1], {DECK, HULL, KEEL, KEEL, HULL}, HULL);
+    addLoft(part,
+            {makeSection(-3, z, 0.17, deck - 0.1, keel + 0.25), makeSection(-1.2, z, 0.22, deck, keel),
+             makeSection(0.8, z, 0.22, deck, keel), makeSection(2.2, z, 0.14, deck, keel + 0.05),
+             makeSection(3.1, z, 0.02, deck + 0.02, keel + 0.35)},
+            {DECK, HULL, KEEL, KEEL, HULL}, HULL);
 }
 
 void addCrewMember(Part &part, real x, real z) {
-    addBlock(part, {x - 0.15, -0.14, z - 0.22}, {x + 0.15, 0.4, z + 0.22}, JACKET);
-    addBlock(part, {x - 0.1, 0.42, z - 0.1}, {x + 0.1, 0.66, z + 0.1}, SKIN);
+    addBox(part, {x - 0.15, -0.14, z - 0.22}, {x + 0.15, 0.4, z + 0.22}, JACKET);
+    addBox(part, {x - 0.1, 0.42, z - 0.1}, {x + 0.1, 0.66, z + 0.1}, SKIN);
 }
 
 Part makeHulls() {
@@ -76,12 +43,12 @@ Part makeHulls() {
     const real half = Catamaran::HULL_SPACING / 2;
     addHull(part, -half);
     addHull(part, half);
-    for (const real x : {-1.4, 0.5}) addBlock(part, {x - 0.07, -0.2, -half}, {x + 0.07, -0.06, half}, BEAM);
-    addBlock(part, {-1.33, -0.14, -half + 0.2}, {0.43, -0.12, half - 0.2}, TRAMPOLINE);
-    addBlock(part, {-2.36, -0.2, -half}, {-2.24, -0.1, half}, BEAM);
+    for (const real x : {-1.4, 0.5}) addBox(part, {x - 0.07, -0.2, -half}, {x + 0.07, -0.06, half}, BEAM);
+    addBox(part, {-1.33, -0.14, -half + 0.2}, {0.43, -0.12, half - 0.2}, TRAMPOLINE);
+    addBox(part, {-2.36, -0.2, -half}, {-2.24, -0.1, half}, BEAM);
     addCrewMember(part, -0.5, -0.35);
     addCrewMember(part, -0.5, 0.35);
-    addBlock(part, {0.44, -0.06, -0.05}, {0.56, 7.9, 0.05}, BEAM);
+    addBox(part, {0.44, -0.06, -0.05}, {0.56, 7.9, 0.05}, BEAM);
     return part;
 }
 
@@ -101,17 +68,15 @@ Part makeSail() {
             {{{-0.06, yLow, 0}, {-0.06, yHigh, 0}, {-leech(high), yHigh, 0}, {-leech(low), yLow, 0}},
              n == 5 ? PANEL : CLOTH});
     }
-    Part boom;
-    addBlock(boom, {-2.7, foot - 0.14, -0.04}, {-0.06, foot - 0.04, 0.04}, BEAM);
-    part.faces.insert(part.faces.end(), boom.faces.begin(), boom.faces.end());
+    addBox(part, {-2.7, foot - 0.14, -0.04}, {-0.06, foot - 0.04, 0.04}, BEAM);  // the boom
     return part;
 }
 
 Part makeRudder() {
     Part part;
     part.name = "rudder";
-    addBlock(part, {-0.05, -0.5, -0.03}, {0.05, 0.2, 0.03}, BEAM);
-    addBlock(part, {-0.45, -1.5, -0.025}, {0.1, -0.45, 0.025}, FOIL);
+    addBox(part, {-0.05, -0.5, -0.03}, {0.05, 0.2, 0.03}, BEAM);
+    addBox(part, {-0.45, -1.5, -0.025}, {0.1, -0.45, 0.025}, FOIL);
     return part;
 }
 
@@ -138,13 +103,12 @@ Part makeMark(const std::string &name, Colour colour) {
     const auto ring = [](real y, real radius) {
         std::vector<Vector3> corners;
         for (int n = 0; n < 6; ++n) {
-            const real angle = cyclone::REAL_PI / 3 * n;
+            const real angle = -cyclone::REAL_PI / 3 * n;
             corners.push_back({radius * cyclone::real_cos(angle), y, radius * cyclone::real_sin(angle)});
         }
         return corners;
     };
-    addLoft(part, ring(-0.3, 0.8), ring(0.5, 0.8), {colour}, colour);
-    addLoft(part, ring(0.5, 0.8), ring(2.2, 0.1), {colour}, colour);
+    addLoft(part, {ring(-0.3, 0.8), ring(0.5, 0.8), ring(2.2, 0.1)}, colour);
     return part;
 }
 

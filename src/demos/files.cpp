@@ -3,7 +3,9 @@
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
+#include <filesystem>
 #include <stdexcept>
+#include <system_error>
 
 namespace demo {
 
@@ -23,10 +25,18 @@ OutputFile::OutputFile(const std::string &path) : path_(path) {
     if (!stream_) fail("write", path, errno);
 }
 
+OutputFile::~OutputFile() {
+    if (isFinished_) return;
+    stream_.close();
+    std::error_code ignored;  // a device stays, as does what has gone already
+    if (std::filesystem::is_regular_file(path_, ignored)) std::filesystem::remove(path_, ignored);
+}
+
 void OutputFile::finish() {
     errno = 0;
     stream_.close();
     if (!stream_) fail("write", path_, errno);
+    isFinished_ = true;
 }
 
 std::string readFile(const std::string &path) {

@@ -7,21 +7,25 @@
 namespace demo {
 
 /// A file to write, opened at once, so that a file that cannot be written is said before the run and not
-/// after it. An existing file is emptied.
+/// after it. An existing file is emptied. What doesn't get finished is removed: no half files.
 class OutputFile {
 public:
     /// Throws std::runtime_error, "cannot write 'path': reason".
     explicit OutputFile(const std::string &path);
+    ~OutputFile();
+    OutputFile(const OutputFile &) = delete;
+    OutputFile &operator=(const OutputFile &) = delete;
 
     std::ostream &stream() { return stream_; }
 
     /// Finishes the file; throws std::runtime_error if anything could not be written (a full disk shows only
-    /// here). A file that is not finished is closed without a check.
+    /// here).
     void finish();
 
 private:
     std::string path_;
     std::ofstream stream_;
+    bool isFinished_ = false;
 };
 
 /// The whole file; throws std::runtime_error, "cannot read 'path': reason".

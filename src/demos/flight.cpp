@@ -1,9 +1,9 @@
 #include "flight.h"
 
-#include "aircraft_parts.h"
-
 #include <algorithm>
-#include <cstdio>
+
+#include "aircraft_parts.h"
+#include "text.h"
 
 namespace demo {
 
@@ -15,25 +15,13 @@ constexpr real NEWTONS_PER_METRE = 10;  // of the force arrows
 constexpr Colour LIFT{255, 214, 64}, THRUST{255, 120, 90};
 const char *const SURFACE_NAMES[] = {"port wing", "starboard wing", "tailplane", "rudder"};
 
-std::string written(const char *format, real value) {
-    char text[64];
-    std::snprintf(text, sizeof text, format, value);
-    return text;
-}
-
-/// 0 … 360.
-real compass(real angle) {
-    const real degrees = angle / DEGREE;
-    return degrees < 0 ? degrees + 360 : degrees;
-}
-
 Profile makeProfile() {
     Profile profile;
     profile.program = "flightsim";
-    profile.summary = "Flies a model aircraft: with the keyboard in a terminal, and else by itself.";
-    profile.settings = {{"wind", "M/S", "Wind speed", 1.5, 0, 5},
+    profile.summary = "Flies a model aircraft: with the keyboard in a terminal, otherwise by itself.";
+    profile.settings = {{"wind", "SPEED", "Mean wind, m/s", 1.5, 0, 5},
                         {"from", "DEGREES", "Where the wind comes from; the runway points to 0", 20, 0, 360},
-                        {"gust", "M/S", "Strength of the gusts", 0.3, 0, 2}};
+                        {"gusts", "SPEED", "How much the wind changes (root mean square), m/s", 0.3, 0, 2}};
     profile.controls = {{"pitch", -1, 1, 0, 'w', 's', 0.1, true},
                         {"roll", -1, 1, 0, 'a', 'd', 0.1, true},
                         {"rudder", -1, 1, 0, 'q', 'e', 0.1, true},
@@ -142,7 +130,7 @@ void Flight::watchTheGround(real sinkRate) {
     const bool touches = aircraft.isOnGround();
     if (aircraft.getBody().hasFaulted() || aircraft.isBroken()) return crash("crashed");
     if (touches && sinkRate > HARDEST_TOUCH_DOWN)
-        return crash("crashed: touched down at " + written("%.1f m/s", sinkRate));
+        return crash("crashed: touched down at " + fixed(sinkRate, 1) + " m/s");
     if (!airborne && !touches && aircraft.getBody().getPosition().y > Aircraft::WHEEL_HEIGHT + 0.5) {
         airborne = true;
         tell("took off");
@@ -150,7 +138,7 @@ void Flight::watchTheGround(real sinkRate) {
         airborne = false;
         softest = landings == 0 ? sinkRate : std::min(softest, sinkRate);
         ++landings;
-        tell("touched down at " + written("%.1f m/s", sinkRate));
+        tell("touched down at " + fixed(sinkRate, 1) + " m/s");
     }
 }
 
@@ -181,7 +169,7 @@ Frame Flight::getFrame() const {
                     position.z,
                     aircraft.getAirspeed(),
                     velocity.y,
-                    compass(aircraft.getHeading()),
+                    compassDegrees(aircraft.getHeading()),
                     aircraft.getPitch() / DEGREE,
                     aircraft.getRoll() / DEGREE,
                     sticks.pitch,
@@ -202,21 +190,18 @@ std::string Flight::getHeadUpLine() const {
     const Vector3 air = wind.getWindspeed();
     const FlightControls &sticks = aircraft.getControls();
     const real height = std::max(body.getPosition().y - Aircraft::WHEEL_HEIGHT, 0.0);
-    return written("ALT %.1f", height) + written("  SPD %.1f", aircraft.getAirspeed()) +
-           written("  CLIMB %+.1f", body.getVelocity().y) +
-           written("  HDG %03.0f", compass(aircraft.getHeading())) +
-           written("  THR %.0f%%", sticks.throttle * 100) + written("  PIT %+.1f", sticks.pitch) +
-           written(" ROL %+.1f", sticks.roll) + written(" RUD %+.1f", sticks.rudder) +
-           written("  WIND %.1f", air.magnitude()) +
-           written("/%03.0f", compass(cyclone::real_atan2(air.z, air.x)));
+    return "ALT " + fixed(height, 1) + "  SPD " + fixed(aircraft.getAirspeed(), 1) + "  CLIMB " +
+           signedFixed(body.getVelocity().y, 1) + "  HDG " + compassText(aircraft.getHeading()) + "  THR " +
+           fixed(sticks.throttle * 100, 0) + "%  PIT " + signedFixed(sticks.pitch, 1) + " ROL " +
+           signedFixed(sticks.roll, 1) + " RUD " + signedFixed(sticks.rudder, 1) + "  WIND " +
+           fixed(air.magnitude(), 1) + "/" + compassText(cyclone::real_atan2(air.z, air.x));
 }
 
 std::string Flight::getSummary() const {
-    std::string text = written("Flew %.0f m", distance) + written(" in %.1f s", getTime()) +
-                       written(", up to %.1f m.", highest);
-    text += "\nLandings: " + std::to_string(landings);
-    if (landings > 0) text += written(", the softest at %.2f m/s", softest);
-    return text + ". Crashes: " + std::to_string(crashes) + ".";
+    return "Flown: " + fixed(distance, 0) + " m in " + fixed(getTime(), 1) + " s, up to " +
+           fixed(highest, 1) + " m high\nLandings: " + std::to_string(landings) +
+           (landings > 0 ? ", the softest at " + fixed(softest, 2) + " m/s" : "") +
+           "\nCrashes: " + std::to_string(crashes);
 }
 
 }  // namespace demo

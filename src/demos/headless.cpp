@@ -1,12 +1,13 @@
 #include "run.h"
 
 #include "png.h"
+#include "text.h"
 
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <cstdio>
 #include <ostream>
+#include <stdexcept>
 
 namespace demo {
 
@@ -53,11 +54,7 @@ private:
         return std::string(columns - std::min(columns, length), ' ') + text;
     }
     static std::string number(real value, std::size_t columns, int decimals) {
-        char text[64];
-        // Without the sign of a zero.
-        const real unit = std::pow(10.0, -decimals), rounded = std::round(value / unit) * unit;
-        std::snprintf(text, sizeof text, "%.*f", decimals, rounded == 0 ? 0 : value);
-        return padded(text, columns);
+        return padded(fixed(value, decimals), columns);
     }
 
     const Profile &profile;
@@ -99,11 +96,10 @@ void takeStill(const Still &still, const Profile &profile, const Frame &frame) {
     writePng(*still.out, canvas.image());
 }
 
-void runHeadless(Session &session, Demonstration &demonstration, real seconds, const Still &still,
-                 std::ostream &out, std::ostream *progressOut) {
+void runHeadless(Session &session, Demonstration &demonstration, std::optional<real> seconds,
+                 const Still &still, std::ostream &out, std::ostream *progressOut) {
     const Profile &profile = demonstration.getProfile();
-    const bool endless = seconds >= 0;
-    const real total = endless ? seconds : profile.duration;
+    const real total = seconds.value_or(profile.duration);
     const auto steps = std::lround(total / profile.step), stillAt = std::lround(still.time / profile.step);
     const auto perLine = std::max(std::lround(1 / profile.step), 1L);
 
@@ -114,12 +110,13 @@ void runHeadless(Session &session, Demonstration &demonstration, real seconds, c
     bool taken = false;
     for (long n = 1; n <= steps; ++n) {
         if (session.isOver()) {
-            if (session.getDriver() != Driver::PILOT || !endless) break;
+            if (session.getDriver() != Driver::PILOT || !seconds) break;
             session.restart();
         }
         session.step();
         for (const Event &event : session.takeEvents()) table.print(event);
         if (n % perLine == 0) table.print(session.getFrame());
+        if (!out) throw std::runtime_error("cannot write to the standard output");
         if (n == stillAt) {
             takeStill(still, profile, session.getFrame());
             taken = true;

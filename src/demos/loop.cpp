@@ -5,6 +5,10 @@
 #include "run.h"
 #include "terminal.h"
 
+#include <cyclone/version.h>
+
+#include <algorithm>
+#include <cmath>
 #include <iostream>
 #include <stdexcept>
 
@@ -18,13 +22,19 @@ namespace demo {
 
 namespace {
 
-const char *const VERSION = "0.1.0";
+constexpr real LONGEST_PAGE = 3600;  // s; some 20 MB
 
-bool isErrorATerminal() {
+std::string getVersion() {
+    return std::to_string(CYCLONE_VERSION_MAJOR) + "." + std::to_string(CYCLONE_VERSION_MINOR) + "." +
+           std::to_string(CYCLONE_VERSION_PATCH);
+}
+
+/// 1: stdout, 2: stderr.
+bool isTerminal(int stream) {
 #ifdef _WIN32
-    return _isatty(2) != 0;
+    return _isatty(stream) != 0;
 #else
-    return isatty(2) != 0;
+    return isatty(stream) != 0;
 #endif
 }
 
@@ -32,14 +42,17 @@ bool isErrorATerminal() {
 struct Wishes {
     unsigned long long seed = 1;
     std::vector<real> settings;
-    real seconds = 60;
+    std::optional<real> seconds;
     std::string input, record, csv, html, still, camera = "side";
     real stillTime = 5, zoom = 1;
     std::vector<std::string> products;
 };
 
 void declare(Options &options, Wishes &wishes, const Profile &profile, const std::vector<Product> &products) {
-    options.addNumber("seconds", "N", "Run this long without a terminal", wishes.seconds, 0, 1e6);
+    const std::string longest = std::to_string(std::lround(profile.duration));
+    options.addNumber("seconds", "N",
+                      "Run this long, without a terminal (once round, at most " + longest + ")",
+                      wishes.seconds, 0, 1e6);
     options.addInteger("seed", "N", "Seed of all that is random", wishes.seed);
     for (const Setting &setting : profile.settings) wishes.settings.push_back(setting.value);
     for (std::size_t n = 0; n < profile.settings.size(); ++n) {
@@ -111,27 +124,39 @@ Still makeStill(const Wishes &wishes, std::optional<OutputFile> &file) {
     return still;
 }
 
+/// Two files under one name would be written over each other.
+void requireDifferent(std::vector<std::string> paths) {
+    std::sort(paths.begin(), paths.end());
+    for (std::size_t n = 1; n < paths.size(); ++n)
+        if (!paths[n].empty() && paths[n] == paths[n - 1])
+            throw std::runtime_error("'" + paths[n] + "' is to be written twice");
+}
+
 int run(Demonstration &demonstration, const Options &options, Wishes wishes) {
     const Profile &profile = demonstration.getProfile();
     std::optional<Script> script = readInput(wishes, profile);
     if (script) adopt(*script, profile, options, wishes);
+    std::optional<real> seconds = wishes.seconds;
+    if (!wishes.html.empty() && seconds > LONGEST_PAGE)
+        throw std::runtime_error("--html: a page holds " + std::to_string(std::lround(LONGEST_PAGE)) +
+                                 " s at most");
+    requireDifferent({wishes.csv, wishes.html, wishes.record, wishes.still});
     std::optional<OutputFile> csv = open(wishes.csv), html = open(wishes.html), record = open(wishes.record),
                               picture = open(wishes.still);
 
-    real seconds = options.wasGiven("seconds") ? wishes.seconds : -1;
-    if (script && seconds < 0 && script->end) seconds = static_cast<real>(*script->end) * profile.step;
+    if (script && script->end && !wishes.seconds) seconds = static_cast<real>(*script->end) * profile.step;
     Session session(demonstration, wishes.seed, wishes.settings, std::move(script));
     if (csv) session.writeCsvTo(csv->stream());
     if (html) session.keepFrames();
     const Still still = makeStill(wishes, picture);
 
     int status = 0;
-    if (!options.wasGiven("seconds") && Terminal::isInteractive()) {
+    if (!wishes.seconds && Terminal::isInteractive()) {
         status = runInteractive(session, demonstration, still);
         std::cout << session.getReport() << '\n';
     } else {
         runHeadless(session, demonstration, seconds, still, std::cout,
-                    isErrorATerminal() ? &std::cerr : nullptr);
+                    isTerminal(2) && !isTerminal(1) ? &std::cerr : nullptr);
     }
     if (html) session.writePageTo(html->stream());
     if (record) record->stream() << writeScript(session.getInputs(), profile);
@@ -144,12 +169,14 @@ int run(Demonstration &demonstration, const Options &options, Wishes wishes) {
 int runDemonstration(Demonstration &demonstration, int argc, const char *const argv[],
                      const std::vector<Product> &products) {
     const Profile &profile = demonstration.getProfile();
-    Options options(profile.program, profile.summary, VERSION);
+    Options options(profile.program, profile.summary, getVersion());
     Wishes wishes;
     declare(options, wishes, profile, products);
-    if (const std::optional<int> status = options.parse(argc, argv, std::cout, std::cerr)) return *status;
     try {
-        return makeProducts(wishes, products) ? 0 : run(demonstration, options, wishes);
+        std::optional<int> status = options.parse(argc, argv, std::cout, std::cerr);
+        if (!status) status = makeProducts(wishes, products) ? 0 : run(demonstration, options, wishes);
+        if (!std::cout.flush()) throw std::runtime_error("cannot write to the standard output");
+        return *status;
     } catch (const std::runtime_error &error) {
         std::cerr << profile.program << ": " << error.what() << '\n';
         return 2;

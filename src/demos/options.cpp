@@ -55,13 +55,16 @@ std::string joined(const std::vector<std::string> &words, const std::string &bet
 Options::Options(std::string program, std::string summary, std::string version)
     : program_(std::move(program)), summary_(std::move(summary)), version_(std::move(version)) {}
 
-void Options::addFlag(const std::string &name, const std::string &help, bool &value) {
-    add({name, "", help, [&value](const std::string &) { return [&value] { value = true; }; }});
-}
-
 void Options::addNumber(const std::string &name, const std::string &placeholder, const std::string &help,
                         real &value, real low, real high) {
     add({name, placeholder, help + " (" + written(value) + ")", [&value, low, high](const std::string &text) {
+             return [&value, number = readNumber(text, low, high)] { value = number; };
+         }});
+}
+
+void Options::addNumber(const std::string &name, const std::string &placeholder, const std::string &help,
+                        std::optional<real> &value, real low, real high) {
+    add({name, placeholder, help, [&value, low, high](const std::string &text) {
              return [&value, number = readNumber(text, low, high)] { value = number; };
          }});
 }
@@ -144,12 +147,10 @@ void Options::parseAll(const std::vector<std::string> &arguments) {
                                         "; --help lists the options");
         if (option->given) throw std::invalid_argument("--" + name + " is given twice");
 
-        const bool isFlag = option->placeholder.empty();
         std::string text;
         if (equals != std::string::npos) {
-            if (isFlag) throw std::invalid_argument("--" + name + " takes no value");
             text = argument.substr(equals + 1);
-        } else if (!isFlag) {
+        } else {
             if (i + 1 == arguments.size() || arguments[i + 1].rfind("--", 0) == 0)
                 throw std::invalid_argument("--" + name + " needs a value, " + option->placeholder);
             text = arguments[++i];
@@ -167,8 +168,7 @@ void Options::parseAll(const std::vector<std::string> &arguments) {
 std::string Options::usage() const {
     std::vector<std::pair<std::string, std::string>> lines;
     for (const Option &option : options_)
-        lines.emplace_back("--" + option.name + (option.placeholder.empty() ? "" : " " + option.placeholder),
-                           option.help);
+        lines.emplace_back("--" + option.name + " " + option.placeholder, option.help);
     lines.emplace_back("--help", "Show this and exit");
     lines.emplace_back("--version", "Show the version and exit");
 

@@ -11,7 +11,7 @@
 
 namespace demo {
 
-/// Options of the form `--name`, `--name VALUE` or `--name=VALUE`; `--help` (or `-h`) and `--version` come by
+/// Options of the form `--name VALUE` or `--name=VALUE`; `--help` (or `-h`) and `--version` come by
 /// themselves. Declare the options, then call parse() once. The variables keep their values as defaults where
 /// an option isn't given; they must outlive this object.
 class Options {
@@ -23,10 +23,12 @@ public:
     // Each declares one option. `help` is one line, without a full stop; numbers show their default in
     // --help. `placeholder` is the word that stands for the value there, like N or FILE.
 
-    void addFlag(const std::string &name, const std::string &help, bool &value);
     /// A finite number in [low, high].
     void addNumber(const std::string &name, const std::string &placeholder, const std::string &help,
                    real &value, real low, real high);
+    /// The same, without a default.
+    void addNumber(const std::string &name, const std::string &placeholder, const std::string &help,
+                   std::optional<real> &value, real low, real high);
     /// A whole number from 0 to `high`.
     void addInteger(const std::string &name, const std::string &placeholder, const std::string &help,
                     unsigned long long &value, unsigned long long high = ~0ULL);
@@ -52,7 +54,7 @@ private:
     /// Makes the assignment that the text asks for; throws std::invalid_argument with the reason if it can't.
     using Reader = std::function<std::function<void()>(const std::string &text)>;
     struct Option {
-        std::string name, placeholder, help;  // no placeholder: a flag
+        std::string name, placeholder, help;
         Reader read;
         bool given = false;
     };

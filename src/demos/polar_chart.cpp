@@ -1,11 +1,11 @@
 #include "polar_chart.h"
 
+#include "text.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <iomanip>
 #include <ostream>
-#include <sstream>
 #include <stdexcept>
 
 namespace demo {
@@ -26,14 +26,7 @@ const char *const STYLE =
     ".axis{stroke:#9aa5ae}.curve{fill:none;stroke-width:3;stroke-linejoin:round}"
     ".best{stroke:#fff;stroke-width:2}";
 
-std::string number(real value, int decimals) {
-    std::ostringstream text;
-    text.imbue(std::locale::classic());
-    text << std::fixed << std::setprecision(decimals) << value;
-    return text.str();
-}
-
-std::string degrees(real angle) { return number(angle / DEGREE, 0) + "°"; }
+std::string degrees(real angle) { return fixed(angle / DEGREE, 0) + "°"; }
 
 /// A place in the picture.
 struct Place {
@@ -54,8 +47,8 @@ public:
     }
 
     void draw() {
-        out << "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 " << number(WIDTH, 0) << ' '
-            << number(HEIGHT, 0) << "\" role=\"img\" aria-label=\"Polar diagram of the catamaran\">\n<style>"
+        out << "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 " << fixed(WIDTH, 0) << ' '
+            << fixed(HEIGHT, 0) << "\" role=\"img\" aria-label=\"Polar diagram of the catamaran\">\n<style>"
             << STYLE << "</style>\n<rect width=\"100%\" height=\"100%\" fill=\"#fdfdfb\"/>\n";
         drawScale();
         drawPointsOfSail();
@@ -72,13 +65,13 @@ private:
     }
 
     void write(Place where, const std::string &text, const char *anchor = "start", const char *kind = "") {
-        out << "<text x=\"" << number(where.x, 1) << "\" y=\"" << number(where.y, 1) << "\" text-anchor=\""
+        out << "<text x=\"" << fixed(where.x, 1) << "\" y=\"" << fixed(where.y, 1) << "\" text-anchor=\""
             << anchor << "\" class=\"" << kind << "\">" << text << "</text>\n";
     }
 
     void drawLine(Place from, Place to, const char *kind) {
-        out << "<line x1=\"" << number(from.x, 1) << "\" y1=\"" << number(from.y, 1) << "\" x2=\""
-            << number(to.x, 1) << "\" y2=\"" << number(to.y, 1) << "\" class=\"" << kind << "\"/>\n";
+        out << "<line x1=\"" << fixed(from.x, 1) << "\" y1=\"" << fixed(from.y, 1) << "\" x2=\""
+            << fixed(to.x, 1) << "\" y2=\"" << fixed(to.y, 1) << "\" class=\"" << kind << "\"/>\n";
     }
 
     void drawScale() {
@@ -87,10 +80,10 @@ private:
         for (int ring = 1; ring <= rings; ++ring) {
             const Place top = at(0, ring * spacing), bottom = at(cyclone::REAL_PI, ring * spacing);
             const real r = CENTRE_Y - top.y;
-            out << "<path d=\"M" << number(top.x, 1) << ' ' << number(top.y, 1) << 'A' << number(r, 1) << ' '
-                << number(r, 1) << " 0 0 1 " << number(bottom.x, 1) << ' ' << number(bottom.y, 1)
+            out << "<path d=\"M" << fixed(top.x, 1) << ' ' << fixed(top.y, 1) << 'A' << fixed(r, 1) << ' '
+                << fixed(r, 1) << " 0 0 1 " << fixed(bottom.x, 1) << ' ' << fixed(bottom.y, 1)
                 << "\" class=\"ring\"/>\n";
-            const std::string label = number(ring * spacing, spacing < 1 ? 1 : 0);
+            const std::string label = fixed(ring * spacing, spacing < 1 ? 1 : 0);
             write({top.x - 8, top.y + 5}, ring == rings ? label + " m/s" : label, "end");
             write({bottom.x - 8, bottom.y + 5}, label, "end");
         }
@@ -110,9 +103,9 @@ private:
             for (const PolarPoint &point : polar.points)
                 if (point.speed > 0) limit = std::min(limit, point.windAngle);
         const Place top = at(0, edge), side = at(limit, edge);
-        out << "<path d=\"M" << number(CENTRE_X, 1) << ' ' << number(CENTRE_Y, 1) << 'L' << number(top.x, 1)
-            << ' ' << number(top.y, 1) << 'A' << number(RADIUS, 1) << ' ' << number(RADIUS, 1) << " 0 0 1 "
-            << number(side.x, 1) << ' ' << number(side.y, 1) << "Z\" fill=\"#f6e3df\"/>\n";
+        out << "<path d=\"M" << fixed(CENTRE_X, 1) << ' ' << fixed(CENTRE_Y, 1) << 'L' << fixed(top.x, 1)
+            << ' ' << fixed(top.y, 1) << 'A' << fixed(RADIUS, 1) << ' ' << fixed(RADIUS, 1) << " 0 0 1 "
+            << fixed(side.x, 1) << ' ' << fixed(side.y, 1) << "Z\" fill=\"#f6e3df\"/>\n";
     }
 
     void drawPointsOfSail() {
@@ -133,7 +126,7 @@ private:
 
     void drawWind() {
         const real x = CENTRE_X, y = CENTRE_Y - RADIUS - 16;
-        out << "<path d=\"M" << number(x, 1) << ' ' << number(y - 34, 1) << "v24m-7 0h14l-7 12z"
+        out << "<path d=\"M" << fixed(x, 1) << ' ' << fixed(y - 34, 1) << "v24m-7 0h14l-7 12z"
             << "\" stroke=\"#37424d\" stroke-width=\"2.5\" fill=\"#37424d\"/>\n";
         write({x - 14, y - 16}, "wind", "end");
     }
@@ -142,12 +135,12 @@ private:
         out << "<path class=\"curve\" stroke=\"" << colour << "\" d=\"";
         for (std::size_t n = 0; n < polar.points.size(); ++n) {
             const Place place = at(polar.points[n].windAngle, polar.points[n].speed);
-            out << (n == 0 ? 'M' : 'L') << number(place.x, 1) << ' ' << number(place.y, 1);
+            out << (n == 0 ? 'M' : 'L') << fixed(place.x, 1) << ' ' << fixed(place.y, 1);
         }
         out << "\"/>\n";
         for (const PolarPoint &point : {polar.bestUpwind(), polar.fastest(), polar.bestDownwind()}) {
             const Place place = at(point.windAngle, point.speed);
-            out << "<circle class=\"best\" cx=\"" << number(place.x, 1) << "\" cy=\"" << number(place.y, 1)
+            out << "<circle class=\"best\" cx=\"" << fixed(place.x, 1) << "\" cy=\"" << fixed(place.y, 1)
                 << "\" r=\"6\" fill=\"" << colour << "\"/>\n";
         }
     }
@@ -158,10 +151,10 @@ private:
         for (std::size_t n = 0; n < polars.size(); ++n) {
             const Polar &polar = polars[n];
             y += 30;
-            out << "<rect x=\"" << number(LEGEND_X - 26, 1) << "\" y=\"" << number(y - 9, 1)
+            out << "<rect x=\"" << fixed(LEGEND_X - 26, 1) << "\" y=\"" << fixed(y - 9, 1)
                 << "\" width=\"18\" height=\"8\" rx=\"2\" fill=\"" << COLOURS[n % COLOURS.size()] << "\"/>\n";
-            write({LEGEND_X, y}, "wind " + number(polar.windspeed, 1) + " m/s (" +
-                                     number(polar.windspeed / KNOT, 0) + " kn)");
+            write({LEGEND_X, y},
+                  "wind " + fixed(polar.windspeed, 1) + " m/s (" + fixed(polar.windspeed / KNOT, 0) + " kn)");
             drawLegendLine(y, "fastest, at ", polar.fastest(), polar.fastest().speed);
             drawLegendLine(y, "made good to windward, at ", polar.bestUpwind(), polar.bestUpwind().madeGood);
             drawLegendLine(y, "made good to leeward, at ", polar.bestDownwind(),
@@ -174,7 +167,7 @@ private:
     void drawLegendLine(real &y, const std::string &what, const PolarPoint &point, real speed) {
         y += 19;
         write({LEGEND_X, y}, what + degrees(point.windAngle), "start", "sub");
-        write({WIDTH - 30, y}, number(speed, 1) + " m/s", "end", "sub");
+        write({WIDTH - 30, y}, fixed(speed, 1) + " m/s", "end", "sub");
     }
 
     std::ostream &out;

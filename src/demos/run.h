@@ -19,10 +19,11 @@ struct Still {
 void takeStill(const Still &still, const Profile &profile, const Frame &frame);
 
 /// Runs to the end without a terminal, and prints a table with a line a second, the events and the report.
-/// `seconds` < 0: until the session is over, or the profile's duration. Else that long: a pilot who is done
-/// begins again. `progress`: for how far it is; may be null.
-void runHeadless(Session &session, Demonstration &demonstration, real seconds, const Still &still,
-                 std::ostream &out, std::ostream *progress);
+/// Without `seconds`: until the session is over, or for the profile's duration. Else that long: a pilot who
+/// is done begins again. `progress`: for how far it is; may be null. Throws std::runtime_error if `out` can't
+/// be written.
+void runHeadless(Session &session, Demonstration &demonstration, std::optional<real> seconds,
+                 const Still &still, std::ostream &out, std::ostream *progress);
 
 /// Runs in the terminal until it is closed or the user leaves; returns the exit status.
 int runInteractive(Session &session, Demonstration &demonstration, const Still &still);

@@ -21,5 +21,6 @@ int main(int argc, char *argv[]) {
     demo::Sailing sailing;
     return demo::runDemonstration(
         sailing, argc, argv,
-        {{"polar", "Draw how fast she sails at every angle to the wind, SVG", drawPolarDiagram}});
+        {{"polar", "Instead of a run, draw how fast she sails at every angle to the wind, SVG",
+          drawPolarDiagram}});
 }

@@ -3,11 +3,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <iomanip>
-#include <locale>
-#include <sstream>
 
 #include "boat_parts.h"
+#include "text.h"
 
 namespace demo {
 
@@ -34,23 +32,16 @@ constexpr std::array<Swell, 3> SWELLS = {{{0.5, 17, 0.15, 0}, {0.3, 10, -0.4, 2}
 constexpr Colour SAIL_FORCE{235, 90, 60}, RUDDER_FORCE{240, 200, 60}, LIFT{90, 170, 235};
 constexpr real NEWTONS_PER_METRE = 250;
 
-std::string fixed(real value, int decimals) {
-    std::ostringstream text;
-    text.imbue(std::locale::classic());
-    text << std::fixed << std::setprecision(decimals) << value;
-    return text.str();
-}
-
-/// "12° port"; an angle that shows as nought has no side.
+/// "12P"; an angle that shows as nought has no side.
 std::string sided(real angle) {
-    const real shown = std::round(std::fabs(angle) / DEGREE);
-    return fixed(shown, 0) + "°" + (shown == 0 ? "" : angle < 0 ? " port" : " stbd");
+    const std::string shown = fixed(std::fabs(angle) / DEGREE, 0);
+    return shown + (shown == "0" ? "" : angle < 0 ? "P" : "S");
 }
 
 Profile makeProfile() {
     Profile profile;
     profile.program = "sailboat";
-    profile.summary = "Sail a catamaran in a terminal: a rigid body of the Cyclone physics library.";
+    profile.summary = "Sails a catamaran: with the keyboard in a terminal, otherwise by itself.";
     profile.settings = {
         {"wind", "SPEED", "Mean wind, from the north, m/s", 6, 0, 15},
         {"gusts", "SPEED", "How much the wind changes (root mean square), m/s", 0.8, 0, 5},
@@ -69,6 +60,8 @@ Profile makeProfile() {
         "Keep the boom to leeward, about half way between",
         "the stern and where the wind goes. Too close to the",
         "wind no sail draws: zigzag, and tack with way on.",
+        "WIND is the wind felt on board. Numbers are metres",
+        "per second and degrees, to Port or Starboard.",
     };
     profile.quantities = {
         {"boat speed", "m/s", "speed", 2},
@@ -269,7 +262,6 @@ std::vector<Arrow> Sailing::getArrows() const {
 std::vector<real> Sailing::getValues() const {
     const Catamaran &boat = voyage->boat;
     const Vector3 position = boat.getBody().getPosition(), wind = voyage->wind.getWindspeed();
-    const real heading = boat.getHeading() / DEGREE;
     return {boat.getSpeed(),
             boat.getApparentWindSpeed(),
             boat.getHeel() / DEGREE,
@@ -278,7 +270,7 @@ std::vector<real> Sailing::getValues() const {
             boat.getApparentWindAngle() / DEGREE,
             boat.getTrueWindAngle() / DEGREE,
             wind.magnitude(),
-            heading < 0 ? heading + 360 : heading,
+            compassDegrees(boat.getHeading()),
             boat.getLeeway(),
             boat.getTrim() / DEGREE,
             position.x,
@@ -289,15 +281,10 @@ std::vector<real> Sailing::getValues() const {
 std::string Sailing::getHeadUpLine() const {
     const Catamaran &boat = voyage->boat;
     if (boat.isCapsized()) return "capsized: the crew rights her in a moment";
-    int heading = static_cast<int>(std::round(boat.getHeading() / DEGREE)) % 360;
-    if (heading < 0) heading += 360;
-    std::ostringstream line;
-    line << std::setfill('0') << std::setw(3) << heading << "°  " << fixed(boat.getSpeed(), 1) << " m/s  "
-         << pointOfSail(boat.getTrueWindAngle()) << "  apparent wind "
-         << fixed(boat.getApparentWindSpeed(), 1) << " m/s " << sided(boat.getApparentWindAngle())
-         << "  heel " << sided(boat.getHeel()) << "  sail " << sided(boat.getSail()) << "  rudder "
-         << sided(boat.getRudder());
-    return line.str();
+    return "HDG " + compassText(boat.getHeading()) + "  SPD " + fixed(boat.getSpeed(), 1) + "  " +
+           pointOfSail(boat.getTrueWindAngle()) + "  WIND " + fixed(boat.getApparentWindSpeed(), 1) + "/" +
+           sided(boat.getApparentWindAngle()) + "  HEEL " + sided(boat.getHeel()) + "  SAIL " +
+           sided(boat.getSail()) + "  RUD " + sided(boat.getRudder());
 }
 
 std::string Sailing::getSummary() const {
@@ -306,14 +293,12 @@ std::string Sailing::getSummary() const {
         return std::to_string(n) + " " + what + (n == 1 ? "" : "s");
     };
     const real time = getTime();
-    std::ostringstream text;
-    text << "sailed " << fixed(v.distance, 0) << " m in " << fixed(time, 1)
-         << " s: " << fixed(time > 0 ? v.distance / time : 0, 1) << " m/s on average, "
-         << fixed(v.topSpeed, 1) << " m/s at best, heeling " << fixed(v.mostHeel / DEGREE, 0) << "° at most\n"
-         << count(v.skipper.getTacks(), "tack") << ", " << count(v.skipper.getGybes(), "gybe") << ", "
-         << count(v.skipper.getRounded(), "mark") << " rounded";
-    if (v.capsizes > 0) text << ", capsized " << count(v.capsizes, "time");
-    return text.str();
+    return "Sailed: " + fixed(v.distance, 0) + " m in " + fixed(time, 1) +
+           " s\nSpeed: " + fixed(time > 0 ? v.distance / time : 0, 1) + " m/s on average, " +
+           fixed(v.topSpeed, 1) + " m/s at best\nHeel: " + fixed(v.mostHeel / DEGREE, 0) +
+           "° at most\nManoeuvres: " + count(v.skipper.getTacks(), "tack") + ", " +
+           count(v.skipper.getGybes(), "gybe") + ", " + count(v.skipper.getRounded(), "mark") +
+           " rounded\nCapsizes: " + std::to_string(v.capsizes);
 }
 
 std::uint64_t Sailing::getHash() const { return voyage->world.hash(); }

@@ -1,6 +1,7 @@
 #include "script.h"
 
 #include <algorithm>
+#include <cerrno>
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
@@ -49,7 +50,9 @@ void readSetting(Script &script, const Profile &profile, const std::vector<std::
     if (words[0] == "seed") {
         if (words[1].find_first_not_of("0123456789") != std::string::npos)
             fail("'" + words[1] + "' is not a whole number");
+        errno = 0;
         script.seed = std::strtoull(words[1].c_str(), nullptr, 10);
+        if (errno == ERANGE) fail("'" + words[1] + "' is too large");
         return;
     }
     const std::size_t index = find(profile.settings, words[0]);

@@ -10,17 +10,23 @@ void addFace(Part &part, const std::vector<Vector3> &corners, Colour colour) {
     part.faces.push_back({corners, colour});
 }
 
-void addLoft(Part &part, const std::vector<std::vector<Vector3>> &rings, Colour colour) {
+void addLoft(Part &part, const std::vector<std::vector<Vector3>> &rings, const std::vector<Colour> &sides,
+             Colour ends) {
     for (std::size_t n = 0; n + 1 < rings.size(); ++n) {
         const auto &near = rings[n], &far = rings[n + 1];
         for (std::size_t i = 0; i < near.size(); ++i) {
             const std::size_t j = (i + 1) % near.size();
+            const Colour colour = sides[i % sides.size()];
             addFace(part, {near[i], near[j], far[j]}, colour);  // triangles: a quad might not be flat
             addFace(part, {near[i], far[j], far[i]}, colour);
         }
     }
-    addFace(part, {rings.front().rbegin(), rings.front().rend()}, colour);
-    addFace(part, rings.back(), colour);
+    addFace(part, {rings.front().rbegin(), rings.front().rend()}, ends);
+    addFace(part, rings.back(), ends);
+}
+
+void addLoft(Part &part, const std::vector<std::vector<Vector3>> &rings, Colour colour) {
+    addLoft(part, rings, {colour}, colour);
 }
 
 void addBox(Part &part, const Vector3 &a, const Vector3 &b, Colour colour) {

@@ -6,7 +6,10 @@
 namespace demo {
 
 /// Appends the skin between rings of as many corners each, from the first ring to the last, and closes both
-/// ends. Seen along the way from the first ring to the last, the corners go clockwise.
+/// ends. Seen along the way from the first ring to the last, the corners go clockwise. `sides`: a colour for
+/// the stripe behind each corner, over again if there are fewer.
+void addLoft(Part &part, const std::vector<std::vector<Vector3>> &rings, const std::vector<Colour> &sides,
+             Colour ends);
 void addLoft(Part &part, const std::vector<std::vector<Vector3>> &rings, Colour colour);
 
 /// Appends a box with edges along the axes; any two opposite corners.

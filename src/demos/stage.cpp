@@ -7,7 +7,7 @@ namespace demo {
 
 namespace {
 
-constexpr Colour WIND{150, 220, 255};
+constexpr Colour WIND{26, 36, 84};
 constexpr real WIND_SCALE = 0.06;     // of the wind's arrow, m for each m/s and m of distance
 constexpr real LOWEST_EYE = 0.4;      // m
 constexpr real SWING_TIME = 0.5;      // s, of the chase camera
