@@ -162,12 +162,6 @@ void RigidBody::setAngularDamping(real damping) {
     setDamping(linearDamping, damping);
 }
 
-void RigidBody::renewDampingFactors(real duration) {
-    linearFactor = real_pow(linearDamping, duration / 2);
-    angularFactor = real_pow(angularDamping, duration / 2);
-    factorDuration = duration;
-}
-
 // ---- Motion
 
 void RigidBody::setPosition(const Vector3 &worldPoint) {

@@ -132,6 +132,10 @@ void Matrix3::setOrientation(const Quaternion &q) {
 }
 
 void Matrix3::setBlockInertiaTensor(const Vector3 &halfSizes, real mass) {
+    requireVector(halfSizes.isFinite() && halfSizes.x > 0 && halfSizes.y > 0 && halfSizes.z > 0,
+                  "Matrix3::setBlockInertiaTensor", "the half sizes must be positive and finite", halfSizes);
+    require(mass > 0 && mass <= REAL_MAX, "Matrix3::setBlockInertiaTensor",
+            "the mass must be positive and finite", {mass});
     const Vector3 squares = halfSizes.componentProduct(halfSizes);
     const real third = mass / 3;
     setDiagonal(third * (squares.y + squares.z), third * (squares.x + squares.z),

@@ -166,6 +166,7 @@ void copyLane(const FreeRotation &from, int fromLane, FreeRotation &to, int toLa
 }
 
 constexpr int MAX_SUBSTEPS = 64;
+constexpr real LARGEST_SQUARED_ANGLE = 0.25;  // beyond it the method's error grows fast
 
 /// The side road for a lane that turns far: the step in 2, 4 … 64 parts, each of which turns by at most 1
 /// rad.
@@ -200,7 +201,7 @@ CYCLONE_INLINE void advanceLanes(FreeRotation &block, int lanes, real h) {
         for (int n = 0; n < lanes; ++n) before[part][n] = block.orientation[part][n];
     turnOrientation(block, work, lanes);
     for (int n = 0; n < lanes; ++n) {
-        if (work.squaredAngle[n] <= 1) continue;
+        if (work.squaredAngle[n] <= LARGEST_SQUARED_ANGLE) continue;
         for (int part = 0; part < 4; ++part) block.orientation[part][n] = before[part][n];
         advanceInSubsteps(block, n, h);
     }

@@ -138,8 +138,19 @@ void StepBlock::turnLocked(const Entry &entry, const Twist &twist) {
     body.angularMomentum = body.momentumOf(body.rotation);
 }
 
+void StepBlock::renewFactors(RigidBody &body) {
+    body.linearFactor = factorOf(body.linearDamping, linear);
+    body.angularFactor = factorOf(body.angularDamping, angular);
+    body.factorDuration = duration;
+}
+
+real StepBlock::factorOf(real damping, Factor &last) const {
+    if (damping != last.damping) last = {damping, real_pow(damping, duration / 2)};
+    return last.factor;
+}
+
 void StepBlock::add(RigidBody &body) {
-    if (body.factorDuration != duration) body.renewDampingFactors(duration);
+    if (body.factorDuration != duration) renewFactors(body);
     Entry &entry = entries[count];
     entry.body = &body;
     const Twist twist = kickAndDrift(entry);

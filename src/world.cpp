@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <atomic>
+#include <functional>
+#include <utility>
 
 namespace cyclone {
 
@@ -47,12 +49,17 @@ void World::requireUnshared(const char *function) const {
             "a generator that acts on its body only may not change the bodies");
 }
 
+void World::requireIdle(const char *function) const {
+    require(!registry.isUpdating(), function, "a generator may not call this");
+}
+
 void World::addBody(RigidBody *body) {
     requireNonNull(body, "World::addBody", "the body must not be null");
     requireUnshared("World::addBody");
-    require(members.insert(body).second, "World::addBody", "the body must not be in the world already");
+    require(members.count(body) == 0, "World::addBody", "the body must not be in the world already");
     bodies.push_back(body);
     faultedBodies.reserve(bodies.capacity());
+    members.insert(body);
 }
 
 RigidBody *World::createBody() {
@@ -90,6 +97,7 @@ void World::takeOut(RigidBody *body) {
 // ---- A frame
 
 void World::startFrame() {
+    requireIdle("World::startFrame");
     for (RigidBody *body : bodies) body->clearAccumulators();
 }
 
@@ -121,6 +129,7 @@ private:
 };
 
 void World::runPhysics(real duration) {
+    requireIdle("World::runPhysics");
     requireDuration(duration, "World::runPhysics");
     updateForces(duration);
     integrate(duration);
@@ -155,6 +164,7 @@ private:
 };
 
 void World::integrate(real duration) {
+    requireIdle("World::integrate");
     requireDuration(duration, "World::integrate");
     Advance advance(bodies, duration);
     const std::size_t parts = (bodies.size() + Advance::SIZE - 1) / Advance::SIZE;
@@ -177,6 +187,7 @@ void World::listFaultedBodies(bool anyNew) {
 void World::saveState(Snapshot &snapshot) const { writeSnapshot(bodies.data(), bodies.size(), snapshot); }
 
 void World::restoreState(const Snapshot &snapshot) {
+    requireIdle("World::restoreState");
     readSnapshot(snapshot, bodies.data(), bodies.size(), "World::restoreState");
     listFaultedBodies(true);
 }
@@ -186,6 +197,7 @@ std::uint64_t World::hash() const { return hashStates(bodies.data(), bodies.size
 // ---- Threads
 
 void World::setWorkers(std::size_t threadCount) {
+    requireIdle("World::setWorkers");
     require(threadCount <= Workers::MAX_THREADS, "World::setWorkers", "there can be at most 256 threads",
             {static_cast<real>(threadCount)});
     std::unique_ptr<Workers> crew;
@@ -195,6 +207,7 @@ void World::setWorkers(std::size_t threadCount) {
 }
 
 void World::setJobSystem(JobSystem *hostJobs) {
+    requireIdle("World::setJobSystem");
     workers.reset();
     jobs = hostJobs;
 }

@@ -166,7 +166,7 @@ TEST(FreeRotation, IsOfFourthOrder) {
         const Quaternion exact = exactOrientation(s, 1, 4000);
         real errors[3];
         for (int halving = 0; halving < 3; ++halving) {
-            const int steps = 32 << halving;
+            const int steps = 64 << halving;
             errors[halving] = difference(advanced(s, steps, 1.0 / steps).orientation, exact);
         }
         EXPECT_LT(errors[2], 1e-3);

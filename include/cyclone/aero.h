@@ -12,7 +12,7 @@
 namespace cyclone {
 
 /// A surface: force = R·A·Rᵀ·(velocity + windspeed), at a point of the body. A step is stable while
-/// |A|/mass·duration < 1.
+/// |A|/mass·duration < 1 and, with rotational flow, |A|·|position|²/inertia·duration < 1.
 class CYCLONE_API Aero : public ForceGenerator {
 public:
     /// Tensor A in N·s/m and position in m, body coordinates, finite. windspeed in m/s, world coordinates, is

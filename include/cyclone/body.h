@@ -131,7 +131,9 @@ public:
     /// @}
 
     /// @name Sleep
-    /// A sleeping body is not advanced. It wakes when a force, a torque or a velocity is added.
+    /// A sleeping body is not advanced. It wakes when a force, a torque or a motion is given to it,
+    /// generators' forces included: to sleep under gravity, a body has it by setAcceleration. Forces do not
+    /// wake a faulted body.
     /// @{
 
     /// Sends the body to sleep, at rest, or wakes it.
@@ -160,8 +162,8 @@ public:
     /// its last good state, drops the forces, and sleeps.
     bool integrate(real duration);
 
-    /// Advances many bodies, to the same bits as one after the other but in about half the time. Returns the
-    /// number of them whose integrate() returned false.
+    /// Advances many bodies, none null and none twice, to the same bits as one after the other but in about
+    /// half the time. Returns the number of them whose integrate() returned false.
     static std::size_t integrate(RigidBody *const *bodies, std::size_t count, real duration);
 
     /// Whether the last step failed and the body has not been woken since.
@@ -250,7 +252,6 @@ private:
     bool turnsFreely() const { return inverseMass > 0 && !hasLockedAxis(); }
     Matrix3 getPrincipalAxesInWorld() const;
 
-    void renewDampingFactors(real duration);
     void followAdded();
     void fallAsleepIfIdle(bool nothingTwists, real duration);
     void keepLastGoodState();

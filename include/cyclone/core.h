@@ -163,10 +163,12 @@ public:
         : data{first.x, second.x, third.x, first.y, second.y, third.y, first.z, second.z, third.z} {}
 
     constexpr Vector3 getRowVector(unsigned row) const {
+        assert(row < 3);
         return Vector3(data[3 * row], data[3 * row + 1], data[3 * row + 2]);
     }
     /// A column: where the matrix takes the unit vector of that axis.
     constexpr Vector3 getAxisVector(unsigned column) const {
+        assert(column < 3);
         return Vector3(data[column], data[column + 3], data[column + 6]);
     }
 
@@ -216,6 +218,7 @@ public:
         *this = Matrix3(ix, -ixy, -ixz, -ixy, iy, -iyz, -ixz, -iyz, iz);
     }
     /// The inertia tensor of a solid block about its centre, from half its edges (m): Ix = m(hy² + hz²)/3.
+    /// Half sizes and mass (kg) positive and finite.
     void setBlockInertiaTensor(const Vector3 &halfSizes, real mass);
 
     /// Entry by entry between a (prop 0) and b (prop 1).
@@ -245,9 +248,11 @@ public:
     /// Column 0, 1 or 2: where the transform takes the direction of that axis; column 3: where it takes the
     /// origin.
     constexpr Vector3 getAxisVector(unsigned column) const {
+        assert(column < 4);
         return Vector3(data[column], data[column + 4], data[column + 8]);
     }
     void setAxisVector(unsigned column, const Vector3 &v) {
+        assert(column < 4);
         data[column] = v.x;
         data[column + 4] = v.y;
         data[column + 8] = v.z;

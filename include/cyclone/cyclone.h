@@ -1,7 +1,7 @@
 #pragma once
 
 /// @file
-/// Everything.
+/// Everything but convert.h (a host's own types) and print.h (streams).
 #include <cyclone/body.h>
 #include <cyclone/core.h>
 #include <cyclone/fgen.h>

@@ -62,8 +62,9 @@ public:
     std::size_t size() const { return registrations.size() - removedCount; }
     /// Whether some generator may act on other bodies than the one it is called for.
     bool hasOutreachingGenerators() const { return outreachingCount > 0; }
-    /// Whether threads are calling generators now: neither registrations nor a world's bodies may change
-    /// then.
+    /// Whether generators are being called now.
+    bool isUpdating() const { return updating; }
+    /// Whether several threads call them: neither registrations nor a world's bodies may change then.
     bool isShared() const { return sharing; }
 
 private:

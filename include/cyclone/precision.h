@@ -6,7 +6,7 @@
 /// Same input, same bits: every function here uses only + - * / sqrt and integer operations in a
 /// fixed order and never calls the C library's exp, pow, sin and the like, which differ from one
 /// machine to the next. Compile with -ffp-contract=off, lest a compiler fuse a * b + c into one rounding.
-/// Rounding to nearest, the processor's default, is assumed.
+/// Rounding to nearest and subnormal numbers, the processor's defaults, are assumed (no FTZ or DAZ).
 #include <cyclone/export.h>
 
 #include <cfloat>

@@ -52,6 +52,13 @@ private:
         Vector3 kick, closingKick;  ///< added to the angular momentum before and after the free rotation
     };
 
+    /// The damping of half a step, which most bodies share.
+    struct Factor {
+        real damping = 1, factor = 1;
+    };
+
+    void renewFactors(RigidBody &body);
+    real factorOf(real damping, Factor &last) const;
     Twist kickAndDrift(Entry &entry) const;
     void turnLocked(const Entry &entry, const Twist &twist);
     void gather(const RigidBody &body, const Twist &twist, int lane);
@@ -62,6 +69,7 @@ private:
     const real duration;
     FreeRotation turning;
     Entry entries[SIZE];
+    Factor linear, angular;  ///< of the body before
     int count = 0;
     std::size_t faults = 0;
 };

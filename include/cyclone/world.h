@@ -58,7 +58,8 @@ public:
     const ForceRegistry &getForceRegistry() const { return registry; }
 
     /// @name A frame
-    /// No allocation happens in these; durations are finite and not negative, in seconds.
+    /// No allocation happens in these; durations are finite and not negative, in seconds. Generators may not
+    /// call them.
     /// @{
 
     /// Drops forces that have been added since the last step. Transforms are current.
@@ -102,6 +103,7 @@ private:
     class Advance;
 
     void requireUnshared(const char *function) const;
+    void requireIdle(const char *function) const;
     void takeOut(RigidBody *body);
     void updateForces(real duration);
     void listFaultedBodies(bool anyNew);
