@@ -3,13 +3,36 @@
 
 namespace cyclone {
 
+/// What the caller has added, and how much faster than its velocity the body drifts and turns.
+void StepBlock::takeLead(Entry &entry, Twist &twist, Vector3 &torque, bool isRowOfFreshStarts) const {
+    RigidBody &body = *entry.body;
+    Vector3 leadingForce, leadingTorque;
+    if (isRowOfFreshStarts) {
+        leadingForce = body.generated.force;
+        leadingTorque = body.generated.torque;
+    }
+    if (body.hasAdded) {
+        body.followAdded();
+        entry.acceleration += body.added.force * body.inverseMass;
+        torque += body.added.torque;
+        leadingForce += body.addedForces.change;
+        leadingTorque += body.addedTorques.change;
+    }
+    entry.leads = true;
+    entry.lead = leadingForce * (duration / 2 * body.inverseMass);
+    entry.velocity += entry.lead;
+    twist.kick += leadingTorque * (duration / 2);
+    twist.closingKick -= leadingTorque * (duration / 2);
+}
+
 CYCLONE_INLINE StepBlock::Twist StepBlock::kickAndDrift(Entry &entry) const {
     RigidBody &body = *entry.body;
     const real half = duration / 2;
-    Vector3 torque, angularLead;
+    Vector3 torque;
     Twist twist;
     entry.velocity = body.velocity;
-    entry.acceleration = entry.lead = Vector3();
+    entry.acceleration = Vector3();
+    entry.leads = false;
     if (body.hasFiniteMass()) {
         const real mend = body.isGenerated ? body.lastDuration / 2 : 0;
         const Vector3 forceChange = body.generated.force - body.lastGenerated.force;
@@ -18,21 +41,12 @@ CYCLONE_INLINE StepBlock::Twist StepBlock::kickAndDrift(Entry &entry) const {
         entry.velocity += forceChange * (mend * body.inverseMass);
         torque = body.generated.torque;
         twist.kick = torqueChange * mend;
-        if (body.isGenerated && body.hasStartedAfresh && mend == 0) {
-            entry.lead = body.generated.force * (half * body.inverseMass);
-            angularLead = body.generated.torque * half;
-        }
-        if (body.hasAdded) {
-            body.followAdded();
-            entry.acceleration += body.added.force * body.inverseMass;
-            torque += body.added.torque;
-            entry.lead += body.addedForces.change * (half * body.inverseMass);
-            angularLead += body.addedTorques.change * half;
-        }
-        entry.velocity = (entry.velocity + entry.acceleration * half + entry.lead) * body.linearFactor;
+        const bool isRowOfFreshStarts = body.isGenerated && body.hasStartedAfresh && mend == 0;
+        if (body.hasAdded || isRowOfFreshStarts) takeLead(entry, twist, torque, isRowOfFreshStarts);
+        entry.velocity = (entry.velocity + entry.acceleration * half) * body.linearFactor;
     }
-    twist.kick += torque * half + angularLead;
-    twist.closingKick = torque * half - angularLead;
+    twist.kick += torque * half;
+    twist.closingKick += torque * half;
     entry.nothingTwists = body.canSleep && torque == Vector3();
     entry.position = body.getPosition() + entry.velocity * duration;
     return twist;
@@ -60,7 +74,8 @@ CYCLONE_INLINE bool StepBlock::takeOver(const Entry &entry, const Quaternion &or
                                         const Vector3 &rotation, const Vector3 &angularMomentum) {
     RigidBody &body = *entry.body;
     const real linearFactor = body.hasFiniteMass() ? body.linearFactor : 1;
-    const Vector3 velocity = entry.velocity * linearFactor + entry.acceleration * (duration / 2) - entry.lead;
+    Vector3 velocity = entry.velocity * linearFactor + entry.acceleration * (duration / 2);
+    if (entry.leads) velocity -= entry.lead;
     // Whatever is not finite in orientation or momentum shows in the rotation.
     const Vector3 sum = entry.position + velocity + rotation;
     if (!real_isfinite(sum.x + sum.y + sum.z)) {

@@ -44,7 +44,8 @@ private:
         RigidBody *body;
         Vector3 position, velocity;
         Vector3 acceleration;
-        Vector3 lead;        ///< how much faster than its velocity it drifts
+        Vector3 lead;  ///< how much faster than its velocity it drifts, if it leads
+        bool leads;
         bool nothingTwists;  ///< no torque; asked only of bodies that may fall asleep
     };
     /// What turns it.
@@ -60,6 +61,7 @@ private:
     void renewFactors(RigidBody &body);
     real factorOf(real damping, Factor &last) const;
     Twist kickAndDrift(Entry &entry) const;
+    void takeLead(Entry &entry, Twist &twist, Vector3 &torque, bool isRowOfFreshStarts) const;
     void turnLocked(const Entry &entry, const Twist &twist);
     void gather(const RigidBody &body, const Twist &twist, int lane);
     void scatter(const Entry &entry, int lane);

@@ -20,7 +20,7 @@ using cyclone::real;
 using cyclone::RigidBody;
 using golden::Scene;
 
-constexpr std::uint64_t GOLDEN = 0x1f267fec327bbd45;
+constexpr std::uint64_t GOLDEN = 0x921f10b67d814291;
 constexpr int FRAMES = 3000;
 
 [[noreturn]] void fail(const char *what, int frame) {
