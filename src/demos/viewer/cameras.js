@@ -101,7 +101,7 @@ class Cameras {
             this.standpoint[2] + reach * Math.sin(azimuth)];
         eye[1] += s.elevation * reach;
         const distance = Vec.size(Vec.sub(target, eye));
-        const filling = 2 * Math.atan(1.6 * radius / distance / Math.min(1, aspect));
+        const filling = 2 * Math.atan(1.8 * radius / distance / Math.min(1, aspect));
         return { eye, target, fov: clamp(s.distance * filling ** 0.75 * widest ** 0.25, 0.02, 1.7) };
     }
 
