@@ -3,6 +3,7 @@
 #include <cyclone/version.h>
 #include <gtest/gtest.h>
 
+#include <chrono>
 #include <cstdio>
 #include <fstream>
 #include <ostream>
@@ -36,8 +37,11 @@ std::string lastLine(std::string text) {
 
 class DemoLoop : public testing::Test {
 protected:
+    /// A file of this run's own: tests run side by side.
     std::string path(const std::string &name) {
-        files.push_back(testing::TempDir() + "cyclone_loop_" + name);
+        static const auto stamp = std::chrono::steady_clock::now().time_since_epoch().count();
+        const std::string test = testing::UnitTest::GetInstance()->current_test_info()->name();
+        files.push_back(testing::TempDir() + "cyclone_" + test + "_" + std::to_string(stamp) + "_" + name);
         return files.back();
     }
     void TearDown() override {

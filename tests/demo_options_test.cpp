@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <chrono>
 #include <filesystem>
 #include <functional>
 #include <sstream>
@@ -171,7 +172,8 @@ TEST(DemoFiles, ADirectoryIsNotAFile) {
 }
 
 TEST(DemoFiles, WhatIsNotFinishedIsRemoved) {
-    const std::string path = testing::TempDir() + "cyclone_unfinished";
+    const std::string path = testing::TempDir() + "cyclone_unfinished_" +
+                             std::to_string(std::chrono::steady_clock::now().time_since_epoch().count());
     {
         OutputFile file(path);
         file.stream() << "half";
