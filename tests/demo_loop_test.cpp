@@ -119,7 +119,7 @@ TEST_F(DemoLoop, MistakesAreOneLineAndStatusTwo) {
 }
 
 TEST_F(DemoLoop, LeavesNoFilesBehindWhenOneCannotBeWritten) {
-    const std::string csv = path("a.csv"), unwritable = testing::TempDir() + "no/such/directory/file";
+    const std::string csv = path("half.csv"), unwritable = testing::TempDir() + "no/such/directory/file";
     EXPECT_EQ(run({"--seconds", "1", "--csv", csv.c_str(), "--still", unwritable.c_str()}).status, 2);
     EXPECT_FALSE(std::ifstream(csv));
 }

@@ -182,6 +182,15 @@ TEST(Sailing, TellsThePointOfSail) {
     EXPECT_STREQ(demo::pointOfSail(180 * DEGREE), "running");
 }
 
+TEST(Sailing, TellsAllInEightyColumns) {
+    Sailing sailing;
+    sailing.begin(5, {12, 2, 1});
+    for (int second = 0; second < 120; ++second) {
+        run(sailing, 1);
+        EXPECT_LE(sailing.getHeadUpLine().size(), 80u) << sailing.getHeadUpLine();
+    }
+}
+
 TEST(Sailing, ShowsWhatABoatAtRestWouldShow) {
     Sailing sailing;
     sailing.begin(0, {0, 0, 0});
