@@ -331,6 +331,7 @@ RigidBody::State RigidBody::getState() const {
     s.startsAfresh = startsAfresh;
     s.hasStartedAfresh = hasStartedAfresh;
     s.wasAdded = wasAdded;
+    s.hasAddedAfresh = hasAddedAfresh;
     return s;
 }
 
@@ -404,6 +405,7 @@ void RigidBody::setState(const State &s) {
     startsAfresh = s.startsAfresh;
     hasStartedAfresh = s.hasStartedAfresh;
     wasAdded = s.wasAdded;
+    hasAddedAfresh = s.hasAddedAfresh;
 }
 
 RigidBody::State RigidBody::State::linearInterpolate(const State &a, const State &b, real prop) {

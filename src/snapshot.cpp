@@ -24,8 +24,9 @@ constexpr real State::*REALS[] = {&State::lastDuration,  &State::mass,          
                                   &State::linearDamping, &State::angularDamping, &State::motion,
                                   &State::sleepEpsilon};
 constexpr bool State::*FLAGS[] = {
-    &State::awake,       &State::canSleep,     &State::faulted,          &State::hasAdded,
-    &State::isGenerated, &State::startsAfresh, &State::hasStartedAfresh, &State::wasAdded};
+    &State::awake,         &State::canSleep,     &State::faulted,          &State::hasAdded,
+    &State::isGenerated,   &State::startsAfresh, &State::hasStartedAfresh, &State::wasAdded,
+    &State::hasAddedAfresh};
 
 constexpr std::size_t STATE_WORDS =
     3 * std::size(VECTORS) + 7 * std::size(COURSES) + 4 * std::size(QUATERNIONS) + std::size(REALS) + 1;

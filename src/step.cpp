@@ -15,8 +15,9 @@ void StepBlock::takeLead(Entry &entry, Twist &twist, Vector3 &torque, bool isRow
         body.followAdded();
         entry.acceleration += body.added.force * body.inverseMass;
         torque += body.added.torque;
-        leadingForce += body.addedForces.change;
-        leadingTorque += body.addedTorques.change;
+        const bool isRow = body.hasAddedAfresh && !body.wasAdded;
+        leadingForce += isRow ? body.added.force : body.addedForces.change;
+        leadingTorque += isRow ? body.added.torque : body.addedTorques.change;
     }
     entry.leads = true;
     entry.lead = leadingForce * (duration / 2 * body.inverseMass);
@@ -94,6 +95,7 @@ CYCLONE_INLINE bool StepBlock::takeOver(const Entry &entry, const Quaternion &or
     const bool isToRemember = body.isGenerated && !body.startsAfresh && body.hasFiniteMass();
     body.lastDuration = isToRemember ? duration : 0;
     if (isToRemember) body.lastGenerated = body.generated;
+    body.hasAddedAfresh = body.hasAdded && !body.wasAdded;
     body.wasAdded = body.hasAdded;
     body.hasStartedAfresh = body.isGenerated && hadNothingToRemember;
     body.clearAccumulators();

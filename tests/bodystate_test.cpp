@@ -41,7 +41,8 @@ State unusualState() {
     s.angularDamping = 0.6;
     s.motion = 0.3;
     s.sleepEpsilon = 0.2;
-    s.canSleep = s.hasAdded = s.isGenerated = s.startsAfresh = s.hasStartedAfresh = s.wasAdded = true;
+    s.canSleep = s.hasAdded = s.isGenerated = s.startsAfresh = s.hasStartedAfresh = s.wasAdded =
+        s.hasAddedAfresh = true;
     return s;
 }
 
@@ -52,7 +53,7 @@ void forEachField(State &s, const std::function<void(const char *, real *, bool 
            addedForce, addedTorque, generatedForce, generatedTorque, lastForce, lastTorque, lastDuration,
            addedForces, addedTorques, mass, inverseMass, inertia, inverseInertia, principalAxes,
            linearDamping, angularDamping, motion, sleepEpsilon, awake, canSleep, faulted, hasAdded,
-           isGenerated, startsAfresh, hasStartedAfresh, wasAdded] = s;
+           isGenerated, startsAfresh, hasStartedAfresh, wasAdded, hasAddedAfresh] = s;
     const auto vector = [&](const char *name, Vector3 &v) {
         for (real *number : {&v.x, &v.y, &v.z}) visit(name, number, nullptr);
     };
@@ -96,6 +97,7 @@ void forEachField(State &s, const std::function<void(const char *, real *, bool 
     visit("startsAfresh", nullptr, &startsAfresh);
     visit("hasStartedAfresh", nullptr, &hasStartedAfresh);
     visit("wasAdded", nullptr, &wasAdded);
+    visit("hasAddedAfresh", nullptr, &hasAddedAfresh);
 }
 
 /// All bits of a state, in the order of forEachField.
@@ -133,7 +135,7 @@ TEST(BodyState, EveryFieldCounts) {
     std::size_t count = 0;
     State dummy;
     forEachField(dummy, [&](const char *, real *, bool *) { ++count; });
-    EXPECT_EQ(count, 71U + 8U);
+    EXPECT_EQ(count, 71U + 9U);
     for (std::size_t changed = 0; changed < count; ++changed) {
         State state = unusualState();
         std::size_t n = 0;

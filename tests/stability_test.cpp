@@ -37,6 +37,18 @@ TEST(CallersSpring, KeepsItsAmplitude) {
     }
 }
 
+/// Not even when a setter makes every step start afresh.
+TEST(CallersSpring, SurvivesASetterInEveryFrame) {
+    for (real frequency : {3.0, 10.0}) {
+        const auto frame = [frequency](RigidBody &body) {
+            body.addForce(body.getPosition() * (-frequency * frequency));
+            body.addVelocity(Vector3(0, 1e-9, 0));
+            body.integrate(STEP);
+        };
+        EXPECT_NEAR(amplitudeAfterAMinute(frame, Vector3(1, 0, 0), Vector3()), 1, 0.05) << frequency;
+    }
+}
+
 /// The same as a torque: a body on a torsion spring about Y, its angle small.
 TEST(CallersTorsionSpring, KeepsItsAmplitude) {
     RigidBody body;

@@ -201,7 +201,7 @@ public:
         real linearDamping = 1, angularDamping = 1;
         real motion = 0, sleepEpsilon = 0.01;
         bool awake = true, canSleep = false, faulted = false, hasAdded = false, isGenerated = false,
-             startsAfresh = false, hasStartedAfresh = false, wasAdded = false;
+             startsAfresh = false, hasStartedAfresh = false, wasAdded = false, hasAddedAfresh = false;
 
         /// Why no body can be in this state; null if one can.
         const char *findError() const;
@@ -267,6 +267,7 @@ private:
     bool wasAdded = false;          ///< nor was it in the last step: `addedForces` goes on
     bool startsAfresh = false;      ///< this step's forces are not to be remembered
     bool hasStartedAfresh = false;  ///< the last step had generators, and nothing to remember
+    bool hasAddedAfresh = false;    ///< the last step had added forces, and none before to go on from
     bool hasPrincipalAxes = false;  ///< `principalAxes` is not the identity
     std::uint8_t middleAxis = 1;    ///< the principal axis of the middle inertia; of equal ones, 1
     Matrix4 transform;

@@ -24,9 +24,9 @@ namespace cyclone {
 /// step to step, the body drifts ahead of its velocity v by (F − F₀)/m·h/2, where F₀ is the force with which
 /// it began: so moves a leapfrog, stable and of second order too. A force that jumps begins anew.
 ///
-/// Without A_last, v and x would both take A from the start of the step, and a spring would grow. That is
-/// nothing in one step, after a setter say; in a row of them the body drifts ahead by A·h/2, as symplectic
-/// Euler's does.
+/// Without A_last or F₀, v and x would both take the force from the start of the step, and a spring would
+/// grow. That is nothing in one step, after a setter say; in a row of them the body drifts ahead by all of
+/// A·h/2, as in symplectic Euler.
 class CYCLONE_API StepBlock {
 public:
     explicit StepBlock(real h) : duration(h) {}
