@@ -9,21 +9,13 @@
 #include <string>
 #include <vector>
 
+#include "frames.h"
 #include "random.h"
 
 using namespace cyclone;
 using namespace cyclone_test;
 
 namespace {
-
-constexpr real STEP = 1.0 / 120;
-
-void run(World &world, int steps) {
-    for (int n = 0; n < steps; ++n) {
-        world.startFrame();
-        world.runPhysics(STEP);
-    }
-}
 
 RigidBody at(const Vector3 &position) {
     RigidBody body;

@@ -5,21 +5,13 @@
 
 #include <cmath>
 
+#include "frames.h"
 #include "random.h"
 
 using namespace cyclone;
 using namespace cyclone_test;
 
 namespace {
-
-constexpr real STEP = 1.0 / 120;
-
-void run(World &world, int steps) {
-    for (int n = 0; n < steps; ++n) {
-        world.startFrame();
-        world.runPhysics(STEP);
-    }
-}
 
 /// A world with one body of 2 kg and one generator.
 struct Alone {

@@ -4,21 +4,13 @@
 
 #include <cmath>
 
+#include "frames.h"
 #include "random.h"
 
 using namespace cyclone;
 using namespace cyclone_test;
 
 namespace {
-
-constexpr real STEP = 1.0 / 120;
-
-void run(World &world, int steps) {
-    for (int n = 0; n < steps; ++n) {
-        world.startFrame();
-        world.runPhysics(STEP);
-    }
-}
 
 TEST(Thruster, AcceleratesABodyEvenly) {
     Thruster engine(Vector3(2, 0, 0), Vector3(), 30);  // the direction's length does not matter
