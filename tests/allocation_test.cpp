@@ -14,9 +14,12 @@ std::atomic<long> allocations{0};
 
 }  // namespace
 
-[[gnu::noinline]] void *operator new(std::size_t size) {
+[[gnu::noinline]] void *operator new(std::size_t size, const std::nothrow_t &) noexcept {
     ++allocations;
-    if (void *memory = std::malloc(size > 0 ? size : 1)) return memory;
+    return std::malloc(size > 0 ? size : 1);
+}
+[[gnu::noinline]] void *operator new(std::size_t size) {
+    if (void *memory = operator new(size, std::nothrow)) return memory;
     throw std::bad_alloc();
 }
 [[gnu::noinline]] void operator delete(void *memory) noexcept { std::free(memory); }
