@@ -9,7 +9,7 @@ namespace cyclone {
 
 // ---- Bodies
 
-/// Slabs of bodies; a body's place is used again after its end.
+/// Slabs of bodies, of growing size; a body's place is used again after its end.
 class World::Bodies {
 public:
     RigidBody *create() {
@@ -20,24 +20,30 @@ public:
         return body;
     }
     bool owns(const RigidBody *body) const {
-        return std::any_of(slabs.begin(), slabs.end(), [body](const std::unique_ptr<RigidBody[]> &slab) {
+        return std::any_of(slabs.begin(), slabs.end(), [body](const Slab &slab) {
             const std::less<const RigidBody *> before;
-            return !before(body, slab.get()) && before(body, slab.get() + SLAB_SIZE);
+            return !before(body, slab.bodies.get()) && before(body, slab.bodies.get() + slab.size);
         });
     }
     void destroy(RigidBody *body) { freePlaces.push_back(body); }
 
 private:
-    static constexpr std::size_t SLAB_SIZE = 256;
+    struct Slab {
+        std::unique_ptr<RigidBody[]> bodies;
+        std::size_t size;
+    };
 
-    /// Its places are taken from the first to the last.
+    /// As large as all before it together. Its places are taken from the first to the last.
     void addSlab() {
-        slabs.push_back(std::make_unique<RigidBody[]>(SLAB_SIZE));
-        freePlaces.reserve(slabs.size() * SLAB_SIZE);
-        for (std::size_t n = SLAB_SIZE; n-- > 0;) freePlaces.push_back(&slabs.back()[n]);
+        const std::size_t size = std::max<std::size_t>(64, placeCount);
+        freePlaces.reserve(placeCount + size);
+        slabs.push_back({std::make_unique<RigidBody[]>(size), size});
+        placeCount += size;
+        for (std::size_t n = size; n-- > 0;) freePlaces.push_back(&slabs.back().bodies[n]);
     }
 
-    std::vector<std::unique_ptr<RigidBody[]>> slabs;
+    std::vector<Slab> slabs;
+    std::size_t placeCount = 0;
     std::vector<RigidBody *> freePlaces;
 };
 
