@@ -1,27 +1,21 @@
 #include <cyclone/buoyancy.h>
 
+#include "arguments.h"
+
 namespace cyclone {
 
-namespace {
-
-void requirePositive(real value, const char *function, const char *rule) {
-    require(value > 0 && value <= REAL_MAX, function, rule, {value});
-}
-
-}  // namespace
+using namespace detail;
 
 Waves::Waves(real height, real g) : meanHeight(height), gravity(g) {
-    require(real_isfinite(height), "Waves::Waves", "the mean height must be finite", {height});
+    requireFinite(height, "Waves::Waves", "the mean height must be finite");
     requirePositive(g, "Waves::Waves", "gravity must be positive and finite");
 }
 
 void Waves::addTrain(const Train &train) {
-    require(train.amplitude >= 0 && train.amplitude <= REAL_MAX, "Waves::addTrain",
-            "the amplitude must be finite and not negative", {train.amplitude});
+    requireNotNegative(train.amplitude, "Waves::addTrain", "the amplitude must be finite and not negative");
     requirePositive(train.wavelength, "Waves::addTrain", "the wavelength must be positive and finite");
-    require(real_isfinite(train.direction), "Waves::addTrain", "the direction must be finite",
-            {train.direction});
-    require(real_isfinite(train.phase), "Waves::addTrain", "the phase must be finite", {train.phase});
+    requireFinite(train.direction, "Waves::addTrain", "the direction must be finite");
+    requireFinite(train.phase, "Waves::addTrain", "the phase must be finite");
     const real k = 2 * REAL_PI / train.wavelength;
     motions.push_back({train.amplitude, k * real_cos(train.direction), k * real_sin(train.direction),
                        real_sqrt(gravity * k), train.phase, 0});
@@ -29,7 +23,7 @@ void Waves::addTrain(const Train &train) {
 }
 
 void Waves::setTime(real seconds) {
-    require(real_isfinite(seconds), "Waves::setTime", "the time must be finite", {seconds});
+    requireFinite(seconds, "Waves::setTime", "the time must be finite");
     time = seconds;
     for (Motion &motion : motions) motion.phaseNow = motion.frequency * time - motion.phase;
 }
@@ -49,10 +43,10 @@ Buoyancy::Buoyancy(const Vector3 &centre, real depth, real v, real height, real 
       waterHeight(height),
       liquidDensity(density),
       gravity(g) {
-    requireVector(centre.isFinite(), "Buoyancy::Buoyancy", "the centre of buoyancy must be finite", centre);
+    requireFinite(centre, "Buoyancy::Buoyancy", "the centre of buoyancy must be finite");
     requirePositive(depth, "Buoyancy::Buoyancy", "maxDepth must be positive and finite");
     requirePositive(v, "Buoyancy::Buoyancy", "the volume must be positive and finite");
-    require(real_isfinite(height), "Buoyancy::Buoyancy", "the water's height must be finite", {height});
+    requireFinite(height, "Buoyancy::Buoyancy", "the water's height must be finite");
     requirePositive(density, "Buoyancy::Buoyancy", "the density must be positive and finite");
     requirePositive(g, "Buoyancy::Buoyancy", "gravity must be positive and finite");
 }

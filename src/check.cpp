@@ -6,6 +6,7 @@
 #include <string>
 
 namespace cyclone {
+namespace detail {
 
 namespace {
 
@@ -15,7 +16,7 @@ std::string numberText(real value) {
     return text;
 }
 
-std::string refusalText(const char *function, const char *rule, std::initializer_list<real> values) {
+std::string rejectionText(const char *function, const char *rule, std::initializer_list<real> values) {
     std::string text = std::string(function) + ": " + rule;
     if (values.size() == 0) return text;
     std::string list;
@@ -25,8 +26,8 @@ std::string refusalText(const char *function, const char *rule, std::initializer
 
 }  // namespace
 
-void refuse(const char *function, const char *rule, std::initializer_list<real> values) {
-    const std::string text = refusalText(function, rule, values);
+void reject(const char *function, const char *rule, std::initializer_list<real> values) {
+    const std::string text = rejectionText(function, rule, values);
 #ifdef __cpp_exceptions
     throw std::invalid_argument(text);
 #else
@@ -35,4 +36,5 @@ void refuse(const char *function, const char *rule, std::initializer_list<real> 
 #endif
 }
 
+}  // namespace detail
 }  // namespace cyclone

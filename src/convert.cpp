@@ -1,6 +1,10 @@
 #include <cyclone/convert.h>
 
+#include "arguments.h"
+
 namespace cyclone {
+
+using namespace detail;
 
 namespace {
 
@@ -27,7 +31,7 @@ Frame Frame::unity() { return Frame(Vector3(0, 0, 1), Vector3(0, 1, 0), Vector3(
 Frame Frame::godot() { return Frame(Vector3(0, 0, -1), Vector3(0, 1, 0), Vector3(1, 0, 0)); }
 
 void Frame::setOrigin(const Vector3 &worldPoint) {
-    requireVector(worldPoint.isFinite(), "Frame::setOrigin", "the origin must be finite", worldPoint);
+    requireFinite(worldPoint, "Frame::setOrigin", "the origin must be finite");
     origin = worldPoint;
 }
 

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "arguments.h"
+
 namespace cyclone {
 
 namespace {
@@ -118,7 +120,7 @@ bool Matrix3::setInverse(const Matrix3 &m) {
 Matrix3 Matrix3::inverse() const {
     Matrix3 result;
     const bool regular = result.setInverse(*this);
-    requireMatrix(regular, "Matrix3::inverse", "the matrix must not be singular", *this);
+    detail::requireMatrix(regular, "Matrix3::inverse", "the matrix must not be singular", *this);
     return result;
 }
 
@@ -132,10 +134,10 @@ void Matrix3::setOrientation(const Quaternion &q) {
 }
 
 void Matrix3::setBlockInertiaTensor(const Vector3 &halfSizes, real mass) {
-    requireVector(halfSizes.isFinite() && halfSizes.x > 0 && halfSizes.y > 0 && halfSizes.z > 0,
-                  "Matrix3::setBlockInertiaTensor", "the half sizes must be positive and finite", halfSizes);
-    require(mass > 0 && mass <= REAL_MAX, "Matrix3::setBlockInertiaTensor",
-            "the mass must be positive and finite", {mass});
+    detail::requireVector(halfSizes.isFinite() && halfSizes.x > 0 && halfSizes.y > 0 && halfSizes.z > 0,
+                          "Matrix3::setBlockInertiaTensor", "the half sizes must be positive and finite",
+                          halfSizes);
+    detail::requirePositive(mass, "Matrix3::setBlockInertiaTensor", "the mass must be positive and finite");
     const Vector3 squares = halfSizes.componentProduct(halfSizes);
     const real third = mass / 3;
     setDiagonal(third * (squares.y + squares.z), third * (squares.x + squares.z),
@@ -168,9 +170,9 @@ bool Matrix4::setInverse(const Matrix4 &m) {
 Matrix4 Matrix4::inverse() const {
     Matrix4 result;
     const bool regular = result.setInverse(*this);
-    require(regular, "Matrix4::inverse", "the matrix must not be singular",
-            {data[0], data[1], data[2], data[3], data[4], data[5], data[6], data[7], data[8], data[9],
-             data[10], data[11]});
+    detail::require(regular, "Matrix4::inverse", "the matrix must not be singular",
+                    {data[0], data[1], data[2], data[3], data[4], data[5], data[6], data[7], data[8], data[9],
+                     data[10], data[11]});
     return result;
 }
 
@@ -195,56 +197,5 @@ void Matrix4::fillGLArray(float array[16]) const {
 }
 
 bool Matrix4::operator==(const Matrix4 &m) const { return std::equal(data, data + 12, m.data); }
-
-namespace {
-
-/// The rotation about `axis` (0, 1, 2) that clears the entry between the two other axes, its angle within
-/// ±45°.
-Quaternion jacobiRotation(const Matrix3 &m, unsigned axis) {
-    const unsigned p = (axis + 1) % 3, q = (axis + 2) % 3;
-    const real offDiagonal = p < q ? m.data[3 * p + q] : m.data[3 * q + p];
-    const real theta = (m.data[4 * q] - m.data[4 * p]) / (2 * offDiagonal);
-    const real tangent = (theta < 0 ? -1.0 : 1.0) / (real_abs(theta) + real_sqrt(theta * theta + 1));
-    const real cosine = 1 / real_sqrt(tangent * tangent + 1);
-    const real halfCosine = real_sqrt((1 + cosine) / 2);
-    Vector3 halfSine;
-    halfSine[axis] = -tangent * cosine / (2 * halfCosine);
-    return Quaternion(halfCosine, halfSine.x, halfSine.y, halfSine.z);
-}
-
-}  // namespace
-
-void findPrincipalAxes(const Matrix3 &m, Vector3 &values, Quaternion &axes) {
-    axes = Quaternion();
-    Matrix3 turned = m;
-    for (int rotation = 0; rotation < 40; ++rotation) {
-        const real offDiagonals[3] = {real_abs(turned.data[5]), real_abs(turned.data[2]),
-                                      real_abs(turned.data[1])};
-        const auto largest = std::max_element(offDiagonals, offDiagonals + 3);
-        const real size =
-            std::max({real_abs(turned.data[0]), real_abs(turned.data[4]), real_abs(turned.data[8])});
-        if (!(*largest > REAL_EPSILON / 4 * size)) break;
-
-        axes *= jacobiRotation(turned, static_cast<unsigned>(largest - offDiagonals));
-        axes.normalise();
-        Matrix3 basis;
-        basis.setOrientation(axes);
-        turned = basis.transpose() * m * basis;
-    }
-    values = Vector3(turned.data[0], turned.data[4], turned.data[8]);
-}
-
-void requireVector(bool kept, const char *function, const char *rule, const Vector3 &value) {
-    require(kept, function, rule, {value.x, value.y, value.z});
-}
-
-void requireMatrix(bool kept, const char *function, const char *rule, const Matrix3 &value) {
-    const real *d = value.data;
-    require(kept, function, rule, {d[0], d[1], d[2], d[3], d[4], d[5], d[6], d[7], d[8]});
-}
-
-void requireQuaternion(bool kept, const char *function, const char *rule, const Quaternion &value) {
-    require(kept, function, rule, {value.r, value.i, value.j, value.k});
-}
 
 }  // namespace cyclone

@@ -4,18 +4,20 @@
 #include <algorithm>
 #include <cmath>
 
+#include "arguments.h"
+
 namespace cyclone {
 
+using namespace detail;
+
 FixedStep::FixedStep(real length, real longestTime) : step(length), longest(longestTime) {
-    require(length > 0 && length <= REAL_MAX, "FixedStep::FixedStep", "the step must be positive and finite",
-            {length});
+    requirePositive(length, "FixedStep::FixedStep", "the step must be positive and finite");
     require(longestTime >= length && longestTime / length <= 1e6, "FixedStep::FixedStep",
             "the longest time must be between one step and a million", {longestTime});
 }
 
 unsigned FixedStep::advance(real elapsed) {
-    require(elapsed >= 0 && elapsed <= REAL_MAX, "FixedStep::advance",
-            "the elapsed time must be finite and not negative", {elapsed});
+    requireNotNegative(elapsed, "FixedStep::advance", "the elapsed time must be finite and not negative");
     const real owed = std::min(remainder + elapsed, longest);
     remainder = std::fmod(owed, step);  // exact, so no time is lost or gained here
     return static_cast<unsigned>((owed - remainder) / step + 0.5);

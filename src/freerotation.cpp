@@ -1,9 +1,11 @@
-#include <cyclone/compiler.h>
-#include <cyclone/freerotation.h>
+#include "freerotation.h"
 
 #include <algorithm>
 
+#include "compiler.h"
+
 namespace cyclone {
+namespace detail {
 
 namespace {
 
@@ -129,7 +131,7 @@ CYCLONE_INLINE void turnOrientation(FreeRotation &b, const Work &w, int lanes) {
 }
 
 /// The matrix R of the new orientation, and the rotation R·diag(i0, i1, i2)·Rᵀ·L.
-CYCLONE_INLINE void renewRotation(FreeRotation &b, int lanes) {
+CYCLONE_INLINE void updateRotation(FreeRotation &b, int lanes) {
     for (int n = 0; n < lanes; ++n) {
         const real r = b.orientation[0][n], i = b.orientation[1][n], j = b.orientation[2][n],
                    k = b.orientation[3][n];
@@ -205,10 +207,10 @@ CYCLONE_INLINE void advanceLanes(FreeRotation &block, int lanes, real h) {
         for (int part = 0; part < 4; ++part) block.orientation[part][n] = before[part][n];
         advanceInSubsteps(block, n, h);
     }
-    renewRotation(block, lanes);
+    updateRotation(block, lanes);
 }
 
-CYCLONE_WIDEST_VERSION void advanceBlock(FreeRotation &block, real h) {
+CYCLONE_TARGET_CLONES void advanceBlock(FreeRotation &block, real h) {
     advanceLanes(block, FreeRotation::LANES, h);
 }
 
@@ -223,4 +225,5 @@ void FreeRotation::advance(int lanes, real duration) {
         advanceLanes(*this, lanes, duration);
 }
 
+}  // namespace detail
 }  // namespace cyclone

@@ -9,7 +9,11 @@
 #include <utility>
 #include <vector>
 
+#include "arguments.h"
+
 namespace cyclone {
+
+using namespace detail;
 
 /// The threads and what they share. A task is announced by counting up. The caller waits for the threads that
 /// have joined in, not for those that wake too late to find any part left.

@@ -2,7 +2,12 @@
 
 #include <algorithm>
 
+#include "arguments.h"
+#include "principalaxes.h"
+
 namespace cyclone {
+
+using namespace detail;
 
 namespace {
 
@@ -31,21 +36,19 @@ bool isTensorOfSomething(const Matrix3 &tensor) {
 }
 
 void requireRadii(real radius, real innerRadius, const char *function) {
-    require(radius > 0 && radius <= REAL_MAX, function, "the radius must be positive and finite", {radius});
+    requirePositive(radius, function, "the radius must be positive and finite");
     require(innerRadius >= 0 && innerRadius <= radius, function,
             "the inner radius must be between 0 and the radius", {innerRadius});
 }
 
 void requireLength(real length, const char *function) {
-    require(length >= 0 && length <= REAL_MAX, function, "the length must be finite and not negative",
-            {length});
+    requireNotNegative(length, function, "the length must be finite and not negative");
 }
 
 /// The mass of a solid of that volume.
 real massOf(const Matter &matter, real volume, const char *function) {
     const real mass = matter.getMass(volume);
-    require(mass > 0 && mass <= REAL_MAX, function,
-            "the mass, or density times volume, must be positive and finite", {mass});
+    requirePositive(mass, function, "the mass, or density times volume, must be positive and finite");
     return mass;
 }
 
@@ -65,8 +68,8 @@ MassProperties fromMeanSquares(real mass, const Vector3 &centre, const Vector3 &
 MassProperties::MassProperties(real kilograms, const Vector3 &centreOfMass, const Matrix3 &tensor)
     : mass(kilograms), centre(centreOfMass), inertiaTensor(tensor) {
     const char *const function = "MassProperties::MassProperties";
-    require(mass > 0 && mass <= REAL_MAX, function, "the mass must be positive and finite", {mass});
-    requireVector(centre.isFinite(), function, "the centre must be finite", centre);
+    requirePositive(mass, function, "the mass must be positive and finite");
+    requireFinite(centre, function, "the centre must be finite");
     requireMatrix(
         isTensorOfSomething(tensor), function,
         "the tensor must be symmetric, with moments not negative and none greater than the others' sum",
@@ -131,7 +134,7 @@ MassProperties MassProperties::capsule(real radius, real length, const Matter &m
 MassProperties MassProperties::cone(real radius, real height, const Matter &matter) {
     const char *const function = "MassProperties::cone";
     requireRadii(radius, 0, function);
-    require(height > 0 && height <= REAL_MAX, function, "the height must be positive and finite", {height});
+    requirePositive(height, function, "the height must be positive and finite");
     const real mass = massOf(matter, REAL_PI / 3 * radius * radius * height, function);
     const real across = radius * radius * (3.0 / 20);
     const real along = height * height * (3.0 / 80);
@@ -146,9 +149,8 @@ Matrix3 MassProperties::getInertiaTensorAbout(const Vector3 &point) const {
 
 MassProperties MassProperties::placedAt(const Vector3 &position, const Quaternion &orientation) const {
     const char *const function = "MassProperties::placedAt";
-    requireVector(position.isFinite(), function, "the position must be finite", position);
-    requireQuaternion(orientation.isFinite() && orientation != Quaternion(0, 0, 0, 0), function,
-                      "the orientation must be finite and not zero", orientation);
+    requireFinite(position, function, "the position must be finite");
+    requireRotation(orientation, function, "the orientation must be finite and not zero");
     Quaternion turn = orientation;
     turn.normalise();
     Matrix3 axes;

@@ -1,34 +1,28 @@
 #include <cyclone/propulsion.h>
 
+#include "arguments.h"
+
 namespace cyclone {
 
-namespace {
-
-void requireDirection(const Vector3 &direction, const char *function) {
-    requireVector(direction.isFinite() && direction != Vector3(), function,
-                  "the direction must be finite and not zero", direction);
-}
-
-}  // namespace
+using namespace detail;
 
 Thruster::Thruster(const char *function, const Vector3 &push, const Vector3 &p, real force)
     : direction(push.unit()), position(p), maxForce(force) {
-    requireDirection(push, function);
-    requireVector(p.isFinite(), function, "the position must be finite", p);
-    require(force >= 0 && force <= REAL_MAX, function, "the greatest force must be finite and not negative",
-            {force});
+    requireDirection(push, function, "the direction must be finite and not zero");
+    requireFinite(p, function, "the position must be finite");
+    requireNotNegative(force, function, "the greatest force must be finite and not negative");
 }
 
 Thruster::Thruster(const Vector3 &push, const Vector3 &p, real force)
     : Thruster("Thruster::Thruster", push, p, force) {}
 
 void Thruster::setThrottle(real value) {
-    require(real_isfinite(value), "Thruster::setThrottle", "the throttle must be finite", {value});
+    requireFinite(value, "Thruster::setThrottle", "the throttle must be finite");
     throttle = real_clamp(value, 0, 1);
 }
 
 void Thruster::setDirection(const Vector3 &bodyDirection) {
-    requireDirection(bodyDirection, "Thruster::setDirection");
+    requireDirection(bodyDirection, "Thruster::setDirection", "the direction must be finite and not zero");
     direction = bodyDirection.unit();
 }
 
@@ -40,8 +34,7 @@ void Thruster::updateForce(RigidBody *body, real) { body->addForceAtBodyPoint(ge
 
 Propeller::Propeller(const Vector3 &push, const Vector3 &p, real force, real speed, const Vector3 *wind)
     : Thruster("Propeller::Propeller", push, p, force), pitchSpeed(speed), windspeed(wind) {
-    require(speed > 0 && speed <= REAL_MAX, "Propeller::Propeller",
-            "the pitch speed must be positive and finite", {speed});
+    requirePositive(speed, "Propeller::Propeller", "the pitch speed must be positive and finite");
 }
 
 Vector3 Propeller::getForce(const RigidBody &body) const {

@@ -1,39 +1,24 @@
 #include <cyclone/snapshot.h>
 
 #include <cstring>
-#include <iterator>
 #include <limits>
 
+#include "arguments.h"
+#include "state.h"
+
 namespace cyclone {
+
+using namespace detail;
 
 namespace {
 
 using State = RigidBody::State;
 
-// What a state consists of, in the order of its bytes. A new member belongs here, and makes a new version.
-constexpr std::uint64_t VERSION = 1;
-constexpr Vector3 State::*VECTORS[] = {
-    &State::position,        &State::velocity,      &State::rotation,
-    &State::angularMomentum, &State::acceleration,  &State::lastFrameAcceleration,
-    &State::addedForce,      &State::addedTorque,   &State::generatedForce,
-    &State::generatedTorque, &State::lastForce,     &State::lastTorque,
-    &State::inertia,         &State::inverseInertia};
-constexpr RigidBody::Course State::*COURSES[] = {&State::addedForces, &State::addedTorques};
-constexpr Quaternion State::*QUATERNIONS[] = {&State::orientation, &State::principalAxes};
-constexpr real State::*REALS[] = {&State::lastDuration,  &State::mass,           &State::inverseMass,
-                                  &State::linearDamping, &State::angularDamping, &State::motion,
-                                  &State::sleepEpsilon};
-constexpr bool State::*FLAGS[] = {
-    &State::awake,         &State::canSleep,     &State::faulted,          &State::hasAdded,
-    &State::isGenerated,   &State::startsAfresh, &State::hasStartedAfresh, &State::wasAdded,
-    &State::hasAddedAfresh};
+constexpr std::uint64_t VERSION = 2;               // of the order and meaning of a state's words
+constexpr std::uint64_t MAGIC = 0x656e6f6c637943;  // "Cyclone"
+constexpr std::size_t STATE_WORDS = 55, HEADER_WORDS = 3, CHECKSUM_WORDS = 1;
 
-constexpr std::size_t STATE_WORDS =
-    3 * std::size(VECTORS) + 7 * std::size(COURSES) + 4 * std::size(QUATERNIONS) + std::size(REALS) + 1;
-constexpr std::size_t HEADER_WORDS = 3, CHECKSUM_WORDS = 1;
-constexpr std::uint64_t MARK = 0x656e6f6c637943;  // "Cyclone"
-
-/// A state as words of 64 bits.
+/// A state as words of 64 bits: its flags, then its numbers.
 struct Words {
     std::uint64_t words[STATE_WORDS];
 };
@@ -53,46 +38,68 @@ real realOf(std::uint64_t bits) {
     return value;
 }
 
+/// Of mass and inverse mass the one is the reciprocal of the other, so one of them is enough; and so it is
+/// with moments of inertia.
+class Reciprocals {
+public:
+    /// Whether it is the inverse that follows from the other one.
+    bool inverseMassFollows, inverseInertiaFollows;
+
+    explicit Reciprocals(const State &s)
+        : inverseMassFollows(s.inverseMass == 1 / s.mass),
+          inverseInertiaFollows(s.inverseInertia == reciprocal(s.inertia)) {}
+    Reciprocals(bool mass, bool inertia) : inverseMassFollows(mass), inverseInertiaFollows(inertia) {}
+
+    bool follows(const State &s, const real *number) const {
+        const real *const mass = inverseMassFollows ? &s.inverseMass : &s.mass;
+        const Vector3 &inertia = inverseInertiaFollows ? s.inverseInertia : s.inertia;
+        return number == mass || number == &inertia.x || number == &inertia.y || number == &inertia.z;
+    }
+    void complete(State &s) const {
+        if (inverseMassFollows)
+            s.inverseMass = 1 / s.mass;
+        else
+            s.mass = s.inverseMass > 0 ? 1 / s.inverseMass : REAL_MAX;
+        if (inverseInertiaFollows)
+            s.inverseInertia = reciprocal(s.inertia);
+        else
+            s.inertia = reciprocal(s.inverseInertia);
+    }
+
+private:
+    static Vector3 reciprocal(const Vector3 &v) { return Vector3(1 / v.x, 1 / v.y, 1 / v.z); }
+};
+
 Words toWords(const State &state) {
+    const Reciprocals reciprocals(state);
     Words result;
-    std::uint64_t *next = result.words;
-    for (auto member : VECTORS)
-        for (real value : {(state.*member).x, (state.*member).y, (state.*member).z}) *next++ = bitsOf(value);
-    for (auto member : COURSES) {
-        const RigidBody::Course &c = state.*member;
-        for (real value :
-             {c.last.x, c.last.y, c.last.z, c.change.x, c.change.y, c.change.z, c.greatestSquare})
+    std::uint64_t *next = result.words + 1;
+    std::uint64_t flags =
+        (reciprocals.inverseMassFollows ? 1u : 0u) + (reciprocals.inverseInertiaFollows ? 2u : 0u);
+    StateMembers::visitNumbers(state, [&](const auto &value) {
+        if constexpr (std::is_same_v<decltype(value), const bool &>)
+            flags = 2 * flags + (value ? 1 : 0);
+        else if (!reciprocals.follows(state, &value))
             *next++ = bitsOf(value);
-    }
-    for (auto member : QUATERNIONS) {
-        const Quaternion &q = state.*member;
-        for (real value : {q.r, q.i, q.j, q.k}) *next++ = bitsOf(value);
-    }
-    for (auto member : REALS) *next++ = bitsOf(state.*member);
-    *next = 0;
-    for (auto member : FLAGS) *next = *next * 2 + (state.*member ? 1 : 0);
+    });
+    result.words[0] = flags;
     return result;
 }
 
 State fromWords(const Words &words) {
+    constexpr int FLAGS = 3;
+    const std::uint64_t *next = words.words + 1;
+    const std::uint64_t flags = words.words[0];
+    const Reciprocals reciprocals((flags >> FLAGS & 1) != 0, (flags >> (FLAGS + 1) & 1) != 0);
+    int flag = FLAGS;
     State state;
-    const std::uint64_t *next = words.words;
-    for (auto member : VECTORS)
-        for (real *value : {&(state.*member).x, &(state.*member).y, &(state.*member).z})
-            *value = realOf(*next++);
-    for (auto member : COURSES) {
-        RigidBody::Course &c = state.*member;
-        for (real *value :
-             {&c.last.x, &c.last.y, &c.last.z, &c.change.x, &c.change.y, &c.change.z, &c.greatestSquare})
-            *value = realOf(*next++);
-    }
-    for (auto member : QUATERNIONS) {
-        Quaternion &q = state.*member;
-        for (real *value : {&q.r, &q.i, &q.j, &q.k}) *value = realOf(*next++);
-    }
-    for (auto member : REALS) state.*member = realOf(*next++);
-    std::uint64_t flags = *next;
-    for (std::size_t n = std::size(FLAGS); n-- > 0; flags /= 2) state.*FLAGS[n] = flags % 2 != 0;
+    StateMembers::visitNumbers(state, [&](auto &value) {
+        if constexpr (std::is_same_v<decltype(value), bool &>)
+            value = (flags >> --flag & 1) != 0;
+        else if (!reciprocals.follows(state, &value))
+            value = realOf(*next++);
+    });
+    reciprocals.complete(state);
     return state;
 }
 
@@ -107,7 +114,7 @@ public:
     std::uint64_t get() const { return value; }
 
 private:
-    std::uint64_t value = MARK;
+    std::uint64_t value = MAGIC;
 };
 
 void storeWord(std::uint8_t *bytes, std::uint64_t word) {
@@ -145,7 +152,7 @@ void writeSnapshot(RigidBody *const *bodies, std::size_t count, Snapshot &snapsh
         bytes += 8;
         checksum.add(word);
     };
-    put(MARK);
+    put(MAGIC);
     put(VERSION);
     put(count);
     for (std::size_t n = 0; n < count; ++n)
@@ -155,7 +162,7 @@ void writeSnapshot(RigidBody *const *bodies, std::size_t count, Snapshot &snapsh
 
 const char *findSnapshotError(const Snapshot &snapshot, std::size_t count) {
     const std::uint8_t *bytes = snapshot.data();
-    if (snapshot.size() < snapshotSize(0) || loadWord(bytes) != MARK) return "this must be a snapshot";
+    if (snapshot.size() < snapshotSize(0) || loadWord(bytes) != MAGIC) return "this must be a snapshot";
     if (loadWord(bytes + 8) != VERSION) return "the snapshot must be of this version";
     if (loadWord(bytes + 16) != count) return "the snapshot must be of as many bodies";
     if (snapshot.size() != snapshotSize(count)) return "the snapshot must be complete";

@@ -1,56 +1,70 @@
-#include <cyclone/compiler.h>
-#include <cyclone/step.h>
+#include "step.h"
+
+#include "arguments.h"
+#include "compiler.h"
 
 namespace cyclone {
+namespace detail {
 
-/// What the caller has added, and how much faster than its velocity the body drifts and turns.
-void StepBlock::takeLead(Entry &entry, Twist &twist, Vector3 &torque, bool isRowOfFreshStarts) const {
-    RigidBody &body = *entry.body;
-    Vector3 leadingForce, leadingTorque;
-    if (isRowOfFreshStarts) {
-        leadingForce = body.generated.force;
-        leadingTorque = body.generated.torque;
-    }
-    if (body.hasAdded) {
-        body.followAdded();
-        entry.acceleration += body.added.force * body.inverseMass;
-        torque += body.added.torque;
-        const bool isRow = body.hasAddedAfresh && !body.wasAdded;
-        leadingForce += isRow ? body.added.force : body.addedForces.change;
-        leadingTorque += isRow ? body.added.torque : body.addedTorques.change;
-    }
-    entry.leads = true;
-    entry.lead = leadingForce * (duration / 2 * body.inverseMass);
-    entry.velocity += entry.lead;
-    twist.kick += leadingTorque * (duration / 2);
-    twist.closingKick -= leadingTorque * (duration / 2);
+// ---- Damping
+
+namespace {
+
+/// (1 − e^−x)/x
+real meanOfDecay(real x, real decayed) {
+    return x < 1e-3 ? 1 - x / 2 * (1 - x / 3 * (1 - x / 4)) : (1 - decayed) / x;
 }
 
-CYCLONE_INLINE StepBlock::Twist StepBlock::kickAndDrift(Entry &entry) const {
-    RigidBody &body = *entry.body;
-    const real half = duration / 2;
-    Vector3 torque;
-    Twist twist;
-    entry.velocity = body.velocity;
-    entry.acceleration = Vector3();
-    entry.leads = false;
-    if (body.hasFiniteMass()) {
-        const real mend = body.isGenerated ? body.lastDuration / 2 : 0;
-        const Vector3 forceChange = body.generated.force - body.lastGenerated.force;
-        const Vector3 torqueChange = body.generated.torque - body.lastGenerated.torque;
-        entry.acceleration = body.acceleration + body.generated.force * body.inverseMass;
-        entry.velocity += forceChange * (mend * body.inverseMass);
-        torque = body.generated.torque;
-        twist.kick = torqueChange * mend;
-        const bool isRowOfFreshStarts = body.isGenerated && body.hasStartedAfresh && mend == 0;
-        if (body.hasAdded || isRowOfFreshStarts) takeLead(entry, twist, torque, isRowOfFreshStarts);
-        entry.velocity = (entry.velocity + entry.acceleration * half) * body.linearFactor;
+}  // namespace
+
+const StepBlock::HalfStep &StepBlock::halfStepWith(real damping, HalfStep &latest) const {
+    if (damping != latest.damping) {
+        const real half = duration / 2;
+        const real factor = real_pow(damping, half);
+        const real kick = damping > 0 && damping < 1 ? half * meanOfDecay(-real_log(damping) * half, factor)
+                                                     : half * factor;
+        latest = {damping, factor, kick};
     }
-    twist.kick += torque * half;
-    twist.closingKick += torque * half;
-    entry.nothingTwists = body.canSleep && torque == Vector3();
+    return latest;
+}
+
+void StepBlock::updateDamping(RigidBody &body) {
+    const HalfStep &l = halfStepWith(body.linearDamping, linear),
+                   &a = halfStepWith(body.angularDamping, angular);
+    body.linearFactor = l.factor;
+    body.angularFactor = a.factor;
+    body.memory.linearKick = l.kick;
+    body.memory.angularKick = a.kick;
+    body.dampedDuration = duration;
+}
+
+// ---- Before the rotation
+
+CYCLONE_INLINE StepBlock::AngularImpulse StepBlock::kickAndDrift(Entry &entry) {
+    RigidBody &body = *entry.body;
+    AngularImpulse impulse;
+    Vector3 torque;
+    entry.velocity = body.velocity;
+    entry.acceleration = entry.addedAcceleration = Vector3();
+    if (body.hasFiniteMass()) {
+        const real lastLinearKick = body.memory.linearKick, lastAngularKick = body.memory.angularKick;
+        if (body.dampedDuration != duration) updateDamping(body);
+        torque = body.generated.torque;
+        entry.acceleration = body.acceleration + body.generated.force * body.inverseMass;
+        entry.velocity += (entry.acceleration - body.memory.acceleration) * lastLinearKick;
+        impulse.kick = (torque - body.memory.torque) * lastAngularKick;
+        if (body.hasAdded) {
+            torque += body.added.torque;
+            entry.addedAcceleration = body.added.force * body.inverseMass;
+            entry.velocity += entry.addedAcceleration * duration;
+            impulse.kick += body.added.torque * duration;
+        }
+        entry.velocity = entry.velocity * body.linearFactor + entry.acceleration * body.memory.linearKick;
+        impulse.halfKick = body.generated.torque * body.memory.angularKick;
+    }
+    entry.isTorqueFree = torque == Vector3();
     entry.position = body.getPosition() + entry.velocity * duration;
-    return twist;
+    return impulse;
 }
 
 namespace {
@@ -70,18 +84,34 @@ Vector3 loadRenumbered(const real (*rows)[FreeRotation::LANES], const int *row, 
 
 }  // namespace
 
-/// Gives the body its new state, if that is finite; its old one otherwise.
-CYCLONE_INLINE bool StepBlock::takeOver(const Entry &entry, const Quaternion &orientation,
-                                        const Vector3 &rotation, const Vector3 &angularMomentum) {
+namespace {
+
+constexpr real MAX_SQUARE = RigidBody::MAX_SPEED * RigidBody::MAX_SPEED;
+
+/// Whether all numbers are finite and the speeds sane; whatever is not finite in orientation or angular
+/// momentum shows in the rotation.
+CYCLONE_INLINE bool isSound(const Vector3 &position, const Vector3 &velocity, const Vector3 &rotation) {
+    const Vector3 zero = position - position;
+    return velocity.squareMagnitude() <= MAX_SQUARE && rotation.squareMagnitude() <= MAX_SQUARE &&
+           zero.x + zero.y + zero.z == 0;
+}
+
+}  // namespace
+
+void StepBlock::fault(RigidBody &body) {
+    body.markFaulted();
+    ++faults;
+}
+
+/// Gives the body its new state, if that is sound; its old one otherwise.
+CYCLONE_INLINE bool StepBlock::commit(const Entry &entry, const Quaternion &orientation,
+                                      const Vector3 &rotation, const Vector3 &angularMomentum) {
     RigidBody &body = *entry.body;
-    const real linearFactor = body.hasFiniteMass() ? body.linearFactor : 1;
-    Vector3 velocity = entry.velocity * linearFactor + entry.acceleration * (duration / 2);
-    if (entry.leads) velocity -= entry.lead;
-    // Whatever is not finite in orientation or momentum shows in the rotation.
-    const Vector3 sum = entry.position + velocity + rotation;
-    if (!real_isfinite(sum.x + sum.y + sum.z)) {
-        body.keepLastGoodState();
-        ++faults;
+    Vector3 velocity = entry.velocity;
+    if (body.hasFiniteMass())
+        velocity = velocity * body.linearFactor + entry.acceleration * body.memory.linearKick;
+    if (!isSound(entry.position, velocity, rotation)) {
+        fault(body);
         return false;
     }
     body.transform.setAxisVector(3, entry.position);
@@ -89,99 +119,91 @@ CYCLONE_INLINE bool StepBlock::takeOver(const Entry &entry, const Quaternion &or
     body.velocity = velocity;
     body.rotation = rotation;
     body.angularMomentum = angularMomentum;
-    body.lastFrameAcceleration = entry.acceleration;
-
-    const bool hadNothingToRemember = body.lastDuration == 0;
-    const bool isToRemember = body.isGenerated && !body.startsAfresh && body.hasFiniteMass();
-    body.lastDuration = isToRemember ? duration : 0;
-    if (isToRemember) body.lastGenerated = body.generated;
-    body.hasAddedAfresh = body.hasAdded && !body.wasAdded;
-    body.wasAdded = body.hasAdded;
-    body.hasStartedAfresh = body.isGenerated && hadNothingToRemember;
+    body.lastFrameAcceleration = entry.acceleration + entry.addedAcceleration;
+    if (body.hasFiniteMass()) {
+        body.memory.acceleration = entry.acceleration;
+        body.memory.torque = body.generated.torque;
+    }
     body.clearAccumulators();
-    if (body.canSleep) body.fallAsleepIfIdle(entry.nothingTwists, duration);
+    if (body.canSleep) body.fallAsleepIfIdle(entry.isTorqueFree, duration);
     return true;
 }
 
-CYCLONE_INLINE void StepBlock::gather(const RigidBody &body, const Twist &twist, int lane) {
-    const int *row = RENUMBERED[body.middleAxis];
-    const Quaternion q = body.hasPrincipalAxes ? body.orientation * body.principalAxes : body.orientation;
-    turning.orientation[0][lane] = q.r;
-    storeRenumbered(turning.orientation + 1, row, lane, Vector3(q.i, q.j, q.k));
-    storeRenumbered(turning.inverseInertia, row, lane, body.inverseInertia);
+// ---- Around the rotation
 
-    const Vector3 momentum = (body.angularMomentum + twist.kick) * body.angularFactor;
-    storeRenumbered(turning.momentum, row, lane, momentum);
-    storeRenumbered(turning.finalMomentum, row, lane, momentum * body.angularFactor + twist.closingKick);
+CYCLONE_INLINE void StepBlock::gather(const RigidBody &body, const AngularImpulse &impulse, int lane) {
+    const int *row = RENUMBERED[body.intermediateAxis];
+    const Quaternion q = body.hasPrincipalAxes ? body.orientation * body.principalAxes : body.orientation;
+    freeRotation.orientation[0][lane] = q.r;
+    storeRenumbered(freeRotation.orientation + 1, row, lane, Vector3(q.i, q.j, q.k));
+    storeRenumbered(freeRotation.inverseInertia, row, lane, body.inverseInertia);
+
+    const Vector3 momentum = (body.angularMomentum + impulse.kick) * body.angularFactor + impulse.halfKick;
+    storeRenumbered(freeRotation.momentum, row, lane, momentum);
+    storeRenumbered(freeRotation.finalMomentum, row, lane, momentum * body.angularFactor + impulse.halfKick);
 }
 
 CYCLONE_INLINE void StepBlock::scatter(const Entry &entry, int lane) {
     RigidBody &body = *entry.body;
-    const int *row = RENUMBERED[body.middleAxis];
-    const Vector3 v = loadRenumbered(turning.orientation + 1, row, lane);
-    Quaternion orientation(turning.orientation[0][lane], v.x, v.y, v.z);
+    const int *row = RENUMBERED[body.intermediateAxis];
+    const Vector3 v = loadRenumbered(freeRotation.orientation + 1, row, lane);
+    Quaternion orientation(freeRotation.orientation[0][lane], v.x, v.y, v.z);
     if (body.hasPrincipalAxes) orientation *= body.principalAxes.conjugate();
 
-    if (!takeOver(entry, orientation, loadRenumbered(turning.rotation, row, lane),
-                  loadRenumbered(turning.finalMomentum, row, lane)))
+    if (!commit(entry, orientation, loadRenumbered(freeRotation.rotation, row, lane),
+                loadRenumbered(freeRotation.finalMomentum, row, lane)))
         return;
     if (body.hasPrincipalAxes) return body.calculateDerivedData();
     for (int column = 0; column < 3; ++column)
         for (int line = 0; line < 3; ++line)
-            body.transform.data[4 * line + column] = turning.matrix[3 * row[line] + row[column]][lane];
+            body.transform.data[4 * line + column] = freeRotation.matrix[3 * row[line] + row[column]][lane];
 }
 
 /// A body that is immovable or has a locked axis: each component of its rotation in its own axes goes on
 /// alone, without gyroscopic coupling, and torques act about free axes only.
-void StepBlock::turnLocked(const Entry &entry, const Twist &twist) {
+void StepBlock::rotateLocked(const Entry &entry, const AngularImpulse &impulse) {
     RigidBody &body = *entry.body;
     const bool movable = body.hasFiniteMass();
     const real factor = movable ? body.angularFactor : 1;
     const Vector3 inverseInertia = movable ? body.inverseInertia : Vector3();
     const Matrix3 axes = body.getPrincipalAxesInWorld();
-    const auto gain = [&](const Vector3 &impulse) {
-        return inverseInertia.componentProduct(axes.transformTranspose(impulse));
+    const auto gain = [&](const Vector3 &change) {
+        return inverseInertia.componentProduct(axes.transformTranspose(change));
     };
-    const Vector3 spin = (axes.transformTranspose(body.rotation) + gain(twist.kick)) * factor;
-    const Vector3 rotation = spin * factor + gain(twist.closingKick);
+    const Vector3 spin =
+        (axes.transformTranspose(body.rotation) + gain(impulse.kick)) * factor + gain(impulse.halfKick);
+    const Vector3 rotation = spin * factor + gain(impulse.halfKick);
 
     Quaternion orientation = body.orientation;
     orientation.rotateByVector(axes.transform(spin) * duration);
     orientation.normalise();
     Matrix3 newAxes;
     newAxes.setOrientation(orientation * body.principalAxes);
-    if (!takeOver(entry, orientation, newAxes.transform(rotation), Vector3())) return;
-    body.calculateDerivedData();
-    body.angularMomentum = body.momentumOf(body.rotation);
+    const Vector3 worldRotation = newAxes.transform(rotation);
+    const Vector3 momentum = movable ? body.angularMomentumFor(worldRotation, orientation) : Vector3();
+    if (!momentum.isFinite()) return fault(body);
+    if (commit(entry, orientation, worldRotation, momentum)) body.calculateDerivedData();
 }
 
-void StepBlock::renewFactors(RigidBody &body) {
-    body.linearFactor = factorOf(body.linearDamping, linear);
-    body.angularFactor = factorOf(body.angularDamping, angular);
-    body.factorDuration = duration;
-}
-
-real StepBlock::factorOf(real damping, Factor &last) const {
-    if (damping != last.damping) last = {damping, real_pow(damping, duration / 2)};
-    return last.factor;
-}
+// ---- The step
 
 void StepBlock::add(RigidBody &body) {
-    if (body.factorDuration != duration) renewFactors(body);
     Entry &entry = entries[count];
     entry.body = &body;
-    const Twist twist = kickAndDrift(entry);
-    if (!body.turnsFreely()) return turnLocked(entry, twist);
-    gather(body, twist, count);
+    const AngularImpulse impulse = kickAndDrift(entry);
+    if (!body.isFreeRotor()) return rotateLocked(entry, impulse);
+    gather(body, impulse, count);
     if (++count == SIZE) finish();
 }
 
 std::size_t StepBlock::finish() {
-    if (count > 0) turning.advance(count, duration);
+    if (count > 0) freeRotation.advance(count, duration);
     for (int lane = 0; lane < count; ++lane) scatter(entries[lane], lane);
     count = 0;
     return faults;
 }
+
+}  // namespace detail
 
 bool RigidBody::integrate(real duration) {
     RigidBody *const self = this;
@@ -189,15 +211,15 @@ bool RigidBody::integrate(real duration) {
 }
 
 std::size_t RigidBody::integrate(RigidBody *const *bodies, std::size_t count, real duration) {
-    require(duration >= 0 && duration <= REAL_MAX, "RigidBody::integrate",
-            "the duration must be finite and not negative", {duration});
+    detail::requireDuration(duration, "RigidBody::integrate");
     if (duration == 0) {
         for (std::size_t n = 0; n < count; ++n) bodies[n]->clearAccumulators();
         return 0;
     }
-    StepBlock block(duration);
+    detail::StepBlock block(duration);
     for (std::size_t n = 0; n < count; ++n) {
-        if (n + FETCH_AHEAD < count) fetch(bodies[n + FETCH_AHEAD], offsetof(RigidBody, added));
+        if (n + detail::PREFETCH_AHEAD < count)
+            detail::prefetch(bodies[n + detail::PREFETCH_AHEAD], offsetof(RigidBody, added));
         if (bodies[n]->awake) block.add(*bodies[n]);
     }
     return block.finish();

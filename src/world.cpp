@@ -5,7 +5,11 @@
 #include <functional>
 #include <utility>
 
+#include "arguments.h"
+
 namespace cyclone {
+
+using namespace detail;
 
 // ---- Bodies
 
@@ -94,7 +98,7 @@ void World::destroyBody(RigidBody *body) {
 
 void World::takeOut(RigidBody *body) {
     registry.remove(body);
-    body->inGenerator = false;
+    body->marks.inGenerator = false;
     members.erase(body);
     bodies.erase(std::find(bodies.begin(), bodies.end(), body));
     faultedBodies.erase(std::remove(faultedBodies.begin(), faultedBodies.end(), body), faultedBodies.end());
@@ -107,15 +111,6 @@ void World::startFrame() {
     for (RigidBody *body : bodies) body->clearAccumulators();
 }
 
-namespace {
-
-void requireDuration(real duration, const char *function) {
-    require(duration >= 0 && duration <= REAL_MAX, function, "the duration must be finite and not negative",
-            {duration});
-}
-
-}  // namespace
-
 /// While generators that may act on any body are called, whatever is added is theirs.
 class World::ForcesOnAll {
 public:
@@ -127,7 +122,7 @@ public:
 private:
     void mark(bool inGenerator) {
         if (!needed) return;
-        for (RigidBody *body : world.bodies) body->inGenerator = inGenerator;
+        for (RigidBody *body : world.bodies) body->marks.inGenerator = inGenerator;
     }
 
     World &world;

@@ -326,7 +326,7 @@ TEST(LockedAxis, NothingTurnsAboutIt) {
         ASSERT_TRUE(body.integrate(h));
         const real t = n * h;
         ASSERT_TRUE(isNear(body.getRotation(), Vector3(0, 0, 1.5 * t), 1e-12));
-        ASSERT_TRUE(turnsLike(body.getOrientation(), turnAbout(Vector3::Z, 1 + 0.75 * t * t), 1e-12));
+        ASSERT_TRUE(turnsLike(body.getOrientation(), turnAbout(Vector3::Z, 1 + 0.75 * t * (t + h)), 1e-12));
         ASSERT_TRUE(isNear(body.getAngularMomentum(), Vector3(0, 0, 3 * t), 1e-12));
     }
 }

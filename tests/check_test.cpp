@@ -76,8 +76,8 @@ struct Scene {
             see(b->getRotation());
             see(b->getAngularMomentum());
             see(b->getAcceleration());
-            see(b->getState().addedForce);
-            see(b->getState().generatedForce);
+            see(b->getState().added.force);
+            see(b->getState().generated.force);
             seen.push_back(b->getAwake());
         }
         see(spring.getAnchor());
@@ -381,14 +381,14 @@ INSTANTIATE_TEST_SUITE_P(World, BadInput, testing::ValuesIn(WORLD));
 
 TEST(Refusal, QuotesNumbers) {
     try {
-        refuse("Thing::set", "the numbers must be good", {-1, 0.5, PLUS_INFINITY});
+        detail::reject("Thing::set", "the numbers must be good", {-1, 0.5, PLUS_INFINITY});
     } catch (const std::invalid_argument &error) {
         EXPECT_STREQ(error.what(), "Thing::set: the numbers must be good, not (-1, 0.5, inf)");
     }
-    EXPECT_THROW(require(false, "f", "r"), std::invalid_argument);
-    EXPECT_NO_THROW(require(true, "f", "r"));
+    EXPECT_THROW(detail::require(false, "f", "r"), std::invalid_argument);
+    EXPECT_NO_THROW(detail::require(true, "f", "r"));
     int number = 0;
-    EXPECT_EQ(requireNonNull(&number, "f", "r"), &number);
+    EXPECT_EQ(detail::requireNonNull(&number, "f", "r"), &number);
 }
 
 }  // namespace

@@ -1,9 +1,10 @@
 #include <cyclone/body.h>
-#include <cyclone/freerotation.h>
 
+#include "../src/freerotation.h"
 #include "reference.h"
 
 using namespace cyclone;
+using detail::FreeRotation;
 using reference::difference;
 using reference::turnAbout;
 

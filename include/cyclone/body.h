@@ -9,6 +9,16 @@
 
 namespace cyclone {
 
+namespace detail {
+class StepBlock;
+struct StateMembers;
+}  // namespace detail
+
+/// A force that acts at the centre of mass (N) and a torque (N·m), in world coordinates.
+struct Wrench {
+    Vector3 force, torque;
+};
+
 /// A rigid body. A plain value that can be copied, the forces that have been added to it included; its origin
 /// is its centre of mass.
 ///
@@ -18,7 +28,7 @@ namespace cyclone {
 ///
 /// A body of inverse mass 0 is immovable: no force, torque, acceleration or damping changes its motion. It
 /// still goes on with the velocity and rotation that it is given, so it can serve as a moving platform.
-class CYCLONE_API RigidBody {
+class alignas(64) CYCLONE_API RigidBody {
 public:
     /// @name Mass and inertia
     /// @{
@@ -56,7 +66,7 @@ public:
     /// @}
 
     /// @name Motion
-    /// Whatever is set must be finite. Setting starts the step's memory of forces afresh, see integrate().
+    /// Whatever is set must be finite.
     /// @{
     void setPosition(const Vector3 &worldPoint);
     void setPosition(real x, real y, real z) { setPosition(Vector3(x, y, z)); }
@@ -75,7 +85,7 @@ public:
     void setRotation(const Vector3 &radiansPerSecond);
     void setRotation(real x, real y, real z) { setRotation(Vector3(x, y, z)); }
     Vector3 getRotation() const { return rotation; }
-    /// Impulses: at once, whatever the step.
+    /// At once, whatever the step.
     void addVelocity(const Vector3 &change);
     void addRotation(const Vector3 &change);
     /// About the centre of mass, world coordinates, kg·m²/s; of an immovable body zero.
@@ -86,8 +96,7 @@ public:
     void setAcceleration(const Vector3 &metresPerSecondSquared);
     void setAcceleration(real x, real y, real z) { setAcceleration(Vector3(x, y, z)); }
     Vector3 getAcceleration() const { return acceleration; }
-    /// What accelerated the body during its last step: forces and the constant acceleration, at the step's
-    /// start.
+    /// The acceleration of the body during its last step, by forces and the constant acceleration.
     Vector3 getLastFrameAcceleration() const { return lastFrameAcceleration; }
     /// @}
 
@@ -104,29 +113,29 @@ public:
     Vector3 getDirectionInWorldSpace(const Vector3 &direction) const {
         return transform.transformDirection(direction);
     }
-    /// Renews what follows from position and orientation. Setters and steps have done so already.
+    /// Updates what follows from position and orientation. Setters and steps have done so already.
     void calculateDerivedData();
     /// @}
 
     /// @name Forces
-    /// They act for one step: the velocity of an undamped body changes by exactly force·duration/mass. They
-    /// are not checked, see integrate(). Any force or torque but zero wakes the body.
+    /// What is added acts for the next step only, and in full at its beginning: the velocity changes by
+    /// force·duration/mass. Forces are not checked, see integrate(). Any but zero wakes the body.
     /// @{
 
     /// At the centre of mass, world coordinates, N.
-    void addForce(const Vector3 &force) { addLoad(force, Vector3()); }
+    void addForce(const Vector3 &force) { addWrench(force, Vector3()); }
     void addForceAtPoint(const Vector3 &force, const Vector3 &worldPoint) {
-        addLoad(force, (worldPoint - getPosition()) % force);
+        addWrench(force, (worldPoint - getPosition()) % force);
     }
     /// The force in world coordinates, the point in body coordinates.
     void addForceAtBodyPoint(const Vector3 &force, const Vector3 &bodyPoint) {
-        addLoad(force, transform.transformDirection(bodyPoint) % force);
+        addWrench(force, transform.transformDirection(bodyPoint) % force);
     }
     /// World coordinates, N·m.
-    void addTorque(const Vector3 &torque) { addLoad(Vector3(), torque); }
+    void addTorque(const Vector3 &torque) { addWrench(Vector3(), torque); }
     /// Takes back what has been added since the last step.
     void clearAccumulators() {
-        if (hasAdded || isGenerated || startsAfresh) dropLoads();
+        if (hasAdded || hasGenerated) clearForces();
     }
     /// @}
 
@@ -152,19 +161,25 @@ public:
     /// Advances the body by `duration` seconds, finite and not negative, and clears the accumulators. 0 does
     /// only that.
     ///
-    /// Constant forces are exact and free rotation is of fourth order. Forces that change smoothly are of
-    /// second order with this one evaluation, because each step mends the last one's end: velocity gains (A −
-    /// A_last)·h_last/2, where A is what force generators caused through a ForceRegistry. What the caller
-    /// adds counts F·h, no more and no less; acting on smoothly, it moves the body with second order too (see
-    /// step.h). Setters start these memories afresh.
+    /// Free rotation is of fourth order, translation and torque are the leapfrog scheme of Störmer and
+    /// Verlet: of second order in the forces of generators (called through a ForceRegistry), with one
+    /// evaluation a step, and exact for constant ones. The velocity at the end of a step contains half a kick
+    /// by the force at its start; the next step, which knows the force at its own start, corrects that half
+    /// kick. To this end a body remembers the acceleration and torque of its last step. Setters shift the
+    /// motion and leave that memory alone; only sleep, waking, a fault and setState() replace it. So a
+    /// generator's force that begins or ends is felt half a step early. What the caller adds is not
+    /// remembered: it is a plain kick.
     ///
-    /// Returns false if the step would not be finite (a force of NaN or of absurd size): the body then keeps
-    /// its last good state, drops the forces, and sleeps.
+    /// Returns false if the step would not be finite, or would move the body faster than MAX_SPEED: the body
+    /// then keeps its last good state, drops the forces, and sleeps.
     bool integrate(real duration);
 
     /// Advances many bodies, none null and none twice, to the same bits as one after the other but in about
     /// half the time. Returns the number of them whose integrate() returned false.
     static std::size_t integrate(RigidBody *const *bodies, std::size_t count, real duration);
+
+    /// m/s and rad/s. A step that would end faster is a fault: something has blown up.
+    static constexpr real MAX_SPEED = 1e12;
 
     /// Whether the last step failed and the body has not been woken since.
     bool hasFaulted() const { return faulted; }
@@ -172,16 +187,13 @@ public:
     /// @name Saving and restoring
     /// @{
 
-    /// What a force, or torque, has done while it acted from step to step.
-    struct Course {
-        Vector3 last;             ///< in the last step
-        Vector3 change;           ///< from the first step to the last
-        real greatestSquare = 0;  ///< of its magnitude
-
-        /// Goes on with the force of a step; begins anew where it jumps by more than half of the greatest so
-        /// far.
-        void follow(const Vector3 &now);
-        bool isFinite() const { return last.isFinite() && change.isFinite() && greatestSquare >= 0; }
+    /// What the step remembers of the one before.
+    struct Memory {
+        Vector3 acceleration;  ///< by generators and the constant acceleration, m/s²
+        Vector3 torque;        ///< by generators, N·m
+        /// How long acceleration and torque acted in that step's second half, less what damping took (s).
+        /// 0: there is nothing to remember.
+        real linearKick = 0, angularKick = 0;
     };
 
     /// Everything that the next step depends on, and nothing else. Same state and same forces: the same bits.
@@ -190,18 +202,15 @@ public:
         Quaternion orientation;
         Vector3 velocity, rotation, angularMomentum;
         Vector3 acceleration, lastFrameAcceleration;
-        Vector3 addedForce, addedTorque;          ///< by the caller since the last step
-        Vector3 generatedForce, generatedTorque;  ///< by generators since the last step
-        Vector3 lastForce, lastTorque;            ///< by generators in the last step, which took
-        real lastDuration = 0;                    ///< so long; 0: nothing to remember
-        Course addedForces, addedTorques;         ///< by the caller, from step to step
+        Wrench added;      ///< by the caller since the last step
+        Wrench generated;  ///< by generators since the last step
+        Memory memory;
         real mass = 1, inverseMass = 1;
         Vector3 inertia = Vector3(1, 1, 1), inverseInertia = Vector3(1, 1, 1);  ///< principal
-        Quaternion principalAxes;  ///< from principal axes to body axes
+        Quaternion principalAxes;                                               ///< to body axes
         real linearDamping = 1, angularDamping = 1;
         real motion = 0, sleepEpsilon = 0.01;
-        bool awake = true, canSleep = false, faulted = false, hasAdded = false, isGenerated = false,
-             startsAfresh = false, hasStartedAfresh = false, wasAdded = false, hasAddedAfresh = false;
+        bool awake = true, canSleep = false, faulted = false;
 
         /// Why no body can be in this state; null if one can.
         const char *findError() const;
@@ -218,80 +227,73 @@ public:
 
 private:
     friend class ForceRegistry;
-    friend class StepBlock;
     friend class World;
+    friend class detail::StepBlock;
+    friend struct detail::StateMembers;
 
-    /// A force at the centre of mass and a torque, world coordinates.
-    struct Load {
-        Vector3 force, torque;
+    /// What is true of this object only, and not of a copy of it.
+    struct Marks {
+        bool inGenerator = false;  ///< a ForceRegistry is calling one of this body's generators
+
+        Marks() = default;
+        Marks(const Marks &) {}
+        Marks &operator=(const Marks &) { return *this; }
     };
 
-    void addLoad(const Vector3 &force, const Vector3 &torque) {
-        Load &load = inGenerator ? generated : added;
-        load.force += force;
-        load.torque += torque;
-        (inGenerator ? isGenerated : hasAdded) = true;
-        if (!awake) wakeForLoad(force, torque);
+    void addWrench(const Vector3 &force, const Vector3 &torque) {
+        Wrench &sum = marks.inGenerator ? generated : added;
+        sum.force += force;
+        sum.torque += torque;
+        (marks.inGenerator ? hasGenerated : hasAdded) = true;
+        if (!awake) wakeForForce(force, torque);
     }
-    void dropLoads();
-    void wakeForLoad(const Vector3 &force, const Vector3 &torque);
+    void clearForces();
+    void wakeForForce(const Vector3 &force, const Vector3 &torque);
 
-    /// Nothing to remember; nor after this step, when some generators have been called for it already.
-    void forgetForces() {
-        lastDuration = 0;
-        wasAdded = false;
-        if (isGenerated) startsAfresh = true;
-    }
+    void forgetForces() { memory.linearKick = memory.angularKick = dampedDuration = 0; }
+    void makeMovable(const char *function);
     void setPrincipalInertia(const Matrix3 &tensor, bool isInverse, const char *function);
     void setPrincipalFrame(const Vector3 &inverseMoments, const Quaternion &axes);
-    Vector3 momentumOf(const Vector3 &turning) const;
-    void setMomentumFromRotation();
+    Vector3 angularMomentumFor(const Vector3 &turning, const Quaternion &bodyToWorld) const;
     bool hasLockedAxis() const {
         return inverseInertia.x == 0 || inverseInertia.y == 0 || inverseInertia.z == 0;
     }
-    bool turnsFreely() const { return inverseMass > 0 && !hasLockedAxis(); }
+    bool isFreeRotor() const { return inverseMass > 0 && !hasLockedAxis(); }
     Matrix3 getPrincipalAxesInWorld() const;
 
-    void followAdded();
-    void fallAsleepIfIdle(bool nothingTwists, real duration);
-    void keepLastGoodState();
+    void fallAsleepIfIdle(bool isTorqueFree, real duration);
+    void markFaulted();
 
     // What generators read and write comes first, then what only the step does, then what it rarely needs:
     // the less memory a frame touches, the faster a large world is.
     bool awake = true;
     bool canSleep = false;
     bool faulted = false;
-    bool inGenerator = false;       ///< a ForceRegistry is calling one of this body's generators
-    bool isGenerated = false;       ///< a ForceRegistry has called one since the last step
-    bool hasAdded = false;          ///< `added` is not zero
-    bool wasAdded = false;          ///< nor was it in the last step: `addedForces` goes on
-    bool startsAfresh = false;      ///< this step's forces are not to be remembered
-    bool hasStartedAfresh = false;  ///< the last step had generators, and nothing to remember
-    bool hasAddedAfresh = false;    ///< the last step had added forces, and none before to go on from
-    bool hasPrincipalAxes = false;  ///< `principalAxes` is not the identity
-    std::uint8_t middleAxis = 1;    ///< the principal axis of the middle inertia; of equal ones, 1
+    bool hasAdded = false;              ///< `added` is not zero
+    bool hasGenerated = false;          ///< `generated` is not zero
+    bool hasPrincipalAxes = false;      ///< `principalAxes` is not the identity
+    std::uint8_t intermediateAxis = 1;  ///< the principal axis of the middle inertia; of equal ones, 1
+    Marks marks;
     Matrix4 transform;
     Vector3 velocity;
     Vector3 rotation;
-    Load generated;  ///< what generators have added since the last step
+    Wrench generated;  ///< what generators have added since the last step
+    real inverseMass = 1;
+    Vector3 inverseInertia = Vector3(1, 1, 1);  ///< principal
 
     Quaternion orientation;
     Vector3 angularMomentum;
-    Load lastGenerated;     ///< the generators' share in the last step
-    real lastDuration = 0;  ///< of the step that lastGenerated belongs to; 0: nothing to remember
-    Vector3 lastFrameAcceleration;
     Vector3 acceleration;
-    real inverseMass = 1;
-    Vector3 inverseInertia = Vector3(1, 1, 1);  ///< principal
-    real linearFactor = 1, angularFactor = 1;   ///< damping over half a step of factorDuration
-    real factorDuration = 0;
+    Vector3 lastFrameAcceleration;
+    Memory memory;
+    real linearDamping = 1, angularDamping = 1;
+    real linearFactor = 1, angularFactor = 1;  ///< damping over half a step of dampedDuration
+    real dampedDuration = 0;                   ///< 0: the factors are to be computed
 
-    Load added;  ///< what the caller has added since the last step
-    Course addedForces, addedTorques;
+    Wrench added;  ///< what the caller has added since the last step
     real mass = 1;
     Vector3 inertia = Vector3(1, 1, 1);  ///< principal; infinite about a locked axis
     Quaternion principalAxes;            ///< from principal axes to body axes
-    real linearDamping = 1, angularDamping = 1;
     real motion = 0, sleepEpsilon = 0.01;
 };
 

@@ -308,14 +308,4 @@ public:
     bool operator!=(const Matrix4 &m) const { return !(*this == m); }
 };
 
-/// The principal values and axes of a symmetric matrix: m = R·diag(values)·Rᵀ, where R is the rotation matrix
-/// of `axes` (Jacobi 1846). Of a diagonal matrix the axes are the identity and the values exact.
-CYCLONE_API void findPrincipalAxes(const Matrix3 &m, Vector3 &values, Quaternion &axes);
-
-/// Checks of arguments, see check.h; their text quotes every number.
-CYCLONE_API void requireVector(bool kept, const char *function, const char *rule, const Vector3 &value);
-CYCLONE_API void requireMatrix(bool kept, const char *function, const char *rule, const Matrix3 &value);
-CYCLONE_API void requireQuaternion(bool kept, const char *function, const char *rule,
-                                   const Quaternion &value);
-
 }  // namespace cyclone

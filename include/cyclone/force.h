@@ -82,9 +82,8 @@ private:
     class Update;
     class Share;
 
-    static void fetchFor(const Registration &registration);
+    static void prefetchFor(const Registration &registration);
     void callGenerator(std::size_t index, real duration);
-    void registrationsChanged(RigidBody *body) const;
     void erase(std::size_t index);
     void renewSchedule();
     std::size_t endOfRun(std::size_t begin) const;

@@ -3,7 +3,8 @@
 namespace demo {
 
 void Demonstration::setControl(std::size_t index, real value) {
-    cyclone::require(value == value, "Demonstration::setControl", "the value must be a number", {value});
+    cyclone::detail::require(value == value, "Demonstration::setControl", "the value must be a number",
+                             {value});
     const Control &control = getProfile().controls.at(index);
     controls.at(index) = cyclone::real_clamp(value, control.low, control.high);
 }

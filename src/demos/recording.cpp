@@ -13,7 +13,7 @@
 
 namespace demo {
 
-using cyclone::require;
+using cyclone::detail::require;
 
 namespace {
 

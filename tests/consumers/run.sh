@@ -86,7 +86,7 @@ guest() { # NAME OPTIONS...
     passed "$1: no targets, flags, cache entries or installed files but the library"
 }
 
-# include/ and src/*.cpp in a foreign tree, with an engine's flags.
+# include/ and src/*.{h,cpp} in a foreign tree, with an engine's flags.
 copied() { # COMPILER STANDARD
     local tree_copy=$work/engine flags="-std=$2 -fno-exceptions -fno-rtti -Wall -Wextra -Wconversion -Wshadow -Werror"
     local objects=$work/engine/objects-$1-$2
@@ -145,7 +145,7 @@ guest add_subdirectory -DCMAKE_BUILD_TYPE=Debug
 guest FetchContent -DCMAKE_BUILD_TYPE=Debug -DBY_FETCHCONTENT=ON -DBUILD_SHARED_LIBS=ON
 
 mkdir "$work/engine"
-cp -r "$tree/include" "$tree"/src/*.cpp "$here/falling.cpp" "$work/engine"
+cp -r "$tree/include" "$tree"/src/*.{h,cpp} "$here/falling.cpp" "$work/engine"
 for standard in c++17 c++20; do
     for compiler in g++ clang++; do copied $compiler $standard; done
 done

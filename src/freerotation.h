@@ -18,6 +18,7 @@
 #include <cyclone/core.h>
 
 namespace cyclone {
+namespace detail {
 
 /// Some bodies side by side, one number of each in every array, so that compilers vectorise the plain loops
 /// over them. Every lane is computed alone: the same operations in the same order, whatever the other lanes
@@ -44,4 +45,5 @@ struct CYCLONE_API FreeRotation {
     void advance(int lanes, real duration);
 };
 
+}  // namespace detail
 }  // namespace cyclone

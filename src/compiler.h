@@ -16,20 +16,21 @@
 #if defined(__x86_64__) && defined(__GLIBC__) && defined(__has_attribute) && !defined(__AVX2__) && \
     !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
 #if __has_attribute(target_clones)
-#define CYCLONE_WIDEST_VERSION __attribute__((target_clones("default", "avx2")))
+#define CYCLONE_TARGET_CLONES __attribute__((target_clones("default", "avx2")))
 #endif
 #endif
-#ifndef CYCLONE_WIDEST_VERSION
-#define CYCLONE_WIDEST_VERSION
+#ifndef CYCLONE_TARGET_CLONES
+#define CYCLONE_TARGET_CLONES
 #endif
 
 namespace cyclone {
+namespace detail {
 
 /// How many objects ahead of the one being worked on to fetch from memory.
-constexpr std::size_t FETCH_AHEAD = 12;
+constexpr std::size_t PREFETCH_AHEAD = 12;
 
 /// Asks the processor to have these bytes ready soon.
-inline void fetch(const void *start, std::size_t size) {
+inline void prefetch(const void *start, std::size_t size) {
 #ifdef __GNUC__
     constexpr std::size_t CACHE_LINE = 64;
     for (std::size_t n = 0; n < size; n += CACHE_LINE)
@@ -40,4 +41,5 @@ inline void fetch(const void *start, std::size_t size) {
 #endif
 }
 
+}  // namespace detail
 }  // namespace cyclone
