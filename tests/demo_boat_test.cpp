@@ -32,12 +32,11 @@ struct Sea {
 
     explicit Sea(real wind = 0) : windspeed(wind, 0, 0), boat(&world, &windspeed, &water) {}
 
-    void step(const Vector3 &force = Vector3(), const Vector3 &torque = Vector3()) {
+    void step(const Vector3 &force = Vector3()) {
         time += STEP;
         water.setTime(time);
         world.startFrame();
         boat.getBody().addForce(force);
-        boat.getBody().addTorque(torque);
         world.runPhysics(STEP);
     }
 
@@ -159,11 +158,22 @@ real heelingTorque(real mass, real heel) {
     return HEAVE_STIFFNESS * z * z * std::sin(heel) * std::cos(heel) + mass * G * y * std::sin(heel);
 }
 
+/// A constant torque about the world's X axis.
+class Heeling : public cyclone::ForceGenerator {
+public:
+    explicit Heeling(real t) : torque(t, 0, 0) {}
+    void updateForce(cyclone::RigidBody *body, real) override { body->addTorque(torque); }
+
+private:
+    Vector3 torque;
+};
+
 TEST(Boat, HeelsAsItsFormSays) {
     for (const real heel : {-0.15, 0.05, 0.2}) {
         Sea sea;
-        const Vector3 torque(heelingTorque(sea.boat.getBody().getMass(), heel), 0, 0);
-        while (sea.time < 20) sea.step(Vector3(), torque);
+        Heeling heeling(heelingTorque(sea.boat.getBody().getMass(), heel));
+        sea.world.getForceRegistry().add(&sea.boat.getBody(), &heeling);
+        sea.drift(20);
         EXPECT_NEAR(sea.boat.getHeel(), heel, 1e-4);
     }
 }

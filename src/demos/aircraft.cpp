@@ -68,9 +68,10 @@ void Aircraft::park(const Vector3 &below) {
 }
 
 void Aircraft::launch(const Vector3 &position) {
+    body.setAwake(false);  // at rest, and nothing remembered of the flight before
+    body.setAwake();
     body.setPosition(position);
     body.setOrientation(cyclone::Quaternion());
-    body.setRotation(Vector3());
     const Vector3 throughAir(LEVEL_SPEED, 0, 0);
     body.setVelocity(windspeed ? throughAir - *windspeed : throughAir);
     setControls(FlightControls());

@@ -127,11 +127,11 @@ void Catamaran::launch(real x, real z, real heading, real speed) {
     const real carried = body.getMass() / (1000 * 4 * HALF_HULL_VOLUME);
     const real draught = HULL_HALF_DEPTH * (2 * carried - 1);  // of the hulls' middles
     const real level = water->getHeight(Vector3(x, 0, z));
+    body.setAwake(false);  // at rest, and nothing remembered of the voyage before
+    body.setAwake();
     body.setPosition(x, level - draught - HULL_HEIGHT, z);
     body.setOrientation(Quaternion::fromAxisAngle(Vector3::UP, -heading));
     body.setVelocity(body.getDirectionInWorldSpace(Vector3(speed, 0, 0)));
-    body.setRotation(0, 0, 0);
-    body.setAwake();
     setRudder(0);
     setSail(0);
 }
