@@ -16,6 +16,9 @@ using Lanes = FreeRotation::Lanes;
 CYCLONE_INLINE real tangentNumerator(real x, real xx) { return x * (945 + xx * (xx - 105)); }
 CYCLONE_INLINE real tangentDenominator(real xx) { return 945 + xx * (15 * xx - 420); }
 
+/// How much the coupling of the turns, −αβ·|l|²·h², counts beside the squares of their half angles.
+constexpr real COUPLING_WEIGHT = 4;
+
 /// What one step needs between its phases.
 struct Work {
     Lanes l0, l1, l2;              // angular momentum in principal axes, at the start
@@ -24,7 +27,7 @@ struct Work {
     Lanes axis2Gain, axis2Loss;    // half angle about axis 2 = l2·(gain − loss·l2²)
     Lanes n1, d1, n2, d2, n3, d3;  // tangents of the three half angles, as fractions
     Lanes r, i, j, k;              // the step's rotation
-    Lanes squaredAngle;            // sum of the squares of all half angles
+    Lanes squaredAngle;            // sum of the squares of all half angles, and of the turns' coupling
 };
 
 /// l = Rᵀ·L
@@ -50,6 +53,7 @@ CYCLONE_INLINE void correctAngles(const FreeRotation &b, Work &w, int lanes, rea
         const real square = l0 * l0 + l1 * l1 + l2 * l2;
         const real both = alpha * beta * square * hh;
         const real common = 1 - (alpha - 2 * beta) * (alpha * l1 * l1 + beta * l2 * l2) * hh * (1.0 / 6);
+        w.squaredAngle[n] = -COUPLING_WEIGHT * both;
         w.axis1Gain[n] = alpha * h * 0.25 * (common + both * (1.0 / 12));
         w.axis1Loss[n] = alpha * h * 0.25 * (alpha * (3 * beta - alpha) * hh * (1.0 / 6));
         w.axis2Gain[n] = beta * h * 0.5 * (common - both * (1.0 / 6));
@@ -78,7 +82,7 @@ CYCLONE_INLINE void turnAboutAxes(Work &w, int lanes) {
         w.n2[n] = n2, w.d2[n] = d2;
         w.n3[n] = tangentNumerator(u3, uu3), w.d3[n] = tangentDenominator(uu3);
         w.turned1[n] = ly, w.turned2[n] = lz;
-        w.squaredAngle[n] = uu1 + uu2 + uu3;
+        w.squaredAngle[n] += uu1 + uu2 + uu3;
     }
 }
 
@@ -167,26 +171,33 @@ void copyLane(const FreeRotation &from, int fromLane, FreeRotation &to, int toLa
     for (int n = 0; n < 4; ++n) to.orientation[n][toLane] = from.orientation[n][fromLane];
 }
 
-constexpr int MAX_SUBSTEPS = 64;
+constexpr int MAX_SUBSTEPS = 256;
+constexpr real MAX_SUBSTEP_ANGLE = 0.7;       // rad
 constexpr real LARGEST_SQUARED_ANGLE = 0.25;  // beyond it the method's error grows fast
 
-/// The side road for a lane that turns far: the step in 2, 4 … 64 parts, each of which turns by at most 1
-/// rad.
+/// What the error of a step grows with, rad/s, as a bound over the whole motion: the angular velocities of
+/// its turns, and how fast one turn changes the next, √(−αβ)·|l|. The turn about axis 1 stays below the
+/// bound since |l|² and α·l1² + β·l2² are constant: (α·l1)² ≤ α²·l1² − αβ·|l|²; likewise about axis 2.
+real boundOfRates(const FreeRotation &b, Work &w) {
+    momentumToPrincipalAxes(b, w, 1);
+    const real i0 = b.inverseInertia[0][0];
+    const real alpha = b.inverseInertia[1][0] - i0, beta = b.inverseInertia[2][0] - i0;
+    const real l1 = w.l1[0], l2 = w.l2[0], square = w.l0[0] * w.l0[0] + l1 * l1 + l2 * l2;
+    return real_sqrt((i0 * i0 - 4 * COUPLING_WEIGHT * alpha * beta) * square + alpha * alpha * l1 * l1 +
+                     beta * beta * l2 * l2);
+}
+
+/// The slow path for large rotations: the step in 2, 4 … 256 parts.
 void advanceInSubsteps(FreeRotation &block, int lane, real h) {
     FreeRotation one;
-    copyLane(block, lane, one, 0);
-    const real squaredMomentum = one.momentum[0][0] * one.momentum[0][0] +
-                                 one.momentum[1][0] * one.momentum[1][0] +
-                                 one.momentum[2][0] * one.momentum[2][0];
-    const real fastest =
-        real_sqrt(squaredMomentum) *
-        std::max({one.inverseInertia[0][0], one.inverseInertia[1][0], one.inverseInertia[2][0]});
-    int substeps = 2;
-    while (substeps < MAX_SUBSTEPS && fastest * h > substeps) substeps *= 2;
-    real duration = h / substeps;
-    if (fastest * duration > 1) duration = 1 / fastest;
-
     Work work;
+    copyLane(block, lane, one, 0);
+    const real bound = boundOfRates(one, work);
+    int substeps = 2;
+    while (substeps < MAX_SUBSTEPS && bound * h > substeps * MAX_SUBSTEP_ANGLE) substeps *= 2;
+    real duration = h / substeps;
+    if (bound * duration > MAX_SUBSTEP_ANGLE) duration = MAX_SUBSTEP_ANGLE / bound;
+
     for (int n = 0; n < substeps; ++n) {
         computeTurns(one, work, 1, duration);
         turnOrientation(one, work, 1);

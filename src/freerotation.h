@@ -41,7 +41,8 @@ struct CYCLONE_API FreeRotation {
     Lanes rotation[3];  ///< angular velocity that belongs to finalMomentum, world, rad/s
 
     /// Advances the first `lanes` bodies (1 … LANES) by `duration` seconds. A body that turns by more than
-    /// about 1 rad is advanced in up to 64 shorter steps; one that turns by more than 64 rad turns by 64.
+    /// about 1 rad, or tumbles fast for its shape, is advanced in up to 256 shorter steps; what would need
+    /// more turns less far.
     void advance(int lanes, real duration);
 };
 
