@@ -18,37 +18,46 @@ bool isOrthonormal(const Matrix3 &m) {
 
 }  // namespace
 
-Frame::Frame(const Vector3 &forward, const Vector3 &up, const Vector3 &right, real hostUnitsPerMetre)
+AxisConvention::AxisConvention(const Vector3 &forward, const Vector3 &up, const Vector3 &right,
+                               real hostUnitsPerMetre)
     : axes(forward, up, right), unitsPerMetre(hostUnitsPerMetre) {
-    requireMatrix(isOrthonormal(axes), "Frame::Frame", "the axes must be unit vectors at right angles", axes);
+    requireMatrix(isOrthonormal(axes), "AxisConvention::AxisConvention",
+                  "the axes must be unit vectors at right angles", axes);
     require(unitsPerMetre > 0 && unitsPerMetre <= REAL_MAX && real_isfinite(1 / unitsPerMetre),
-            "Frame::Frame", "the host's units in a metre must be positive and finite", {unitsPerMetre});
+            "AxisConvention::AxisConvention", "the host's units in a metre must be positive and finite",
+            {unitsPerMetre});
     handedness = axes.getDeterminant() < 0 ? -1 : 1;
 }
 
-Frame Frame::unreal() { return Frame(Vector3(1, 0, 0), Vector3(0, 0, 1), Vector3(0, 1, 0), 100); }
-Frame Frame::unity() { return Frame(Vector3(0, 0, 1), Vector3(0, 1, 0), Vector3(1, 0, 0)); }
-Frame Frame::godot() { return Frame(Vector3(0, 0, -1), Vector3(0, 1, 0), Vector3(1, 0, 0)); }
+AxisConvention AxisConvention::unreal() {
+    return AxisConvention(Vector3(1, 0, 0), Vector3(0, 0, 1), Vector3(0, 1, 0), 100);
+}
+AxisConvention AxisConvention::unity() {
+    return AxisConvention(Vector3(0, 0, 1), Vector3(0, 1, 0), Vector3(1, 0, 0));
+}
+AxisConvention AxisConvention::godot() {
+    return AxisConvention(Vector3(0, 0, -1), Vector3(0, 1, 0), Vector3(1, 0, 0));
+}
 
-void Frame::setOrigin(const Vector3 &worldPoint) {
-    requireFinite(worldPoint, "Frame::setOrigin", "the origin must be finite");
+void AxisConvention::setOrigin(const Vector3 &worldPoint) {
+    requireFinite(worldPoint, "AxisConvention::setOrigin", "the origin must be finite");
     origin = worldPoint;
 }
 
 // The axis of a rotation is itself a rotation vector, scaled.
 
-Quaternion Frame::getOrientationInHost(const Quaternion &orientation) const {
+Quaternion AxisConvention::getOrientationInHost(const Quaternion &orientation) const {
     const Vector3 axis = getRotationInHost(Vector3(orientation.i, orientation.j, orientation.k));
     return Quaternion(orientation.r, axis.x, axis.y, axis.z);
 }
 
-Quaternion Frame::getOrientationInCyclone(const Quaternion &hostOrientation) const {
+Quaternion AxisConvention::getOrientationInCyclone(const Quaternion &hostOrientation) const {
     const Vector3 axis =
         getRotationInCyclone(Vector3(hostOrientation.i, hostOrientation.j, hostOrientation.k));
     return Quaternion(hostOrientation.r, axis.x, axis.y, axis.z);
 }
 
-Matrix4 Frame::getTransformInHost(const Matrix4 &transform) const {
+Matrix4 AxisConvention::getTransformInHost(const Matrix4 &transform) const {
     const Matrix3 turned = axes * transform.getRotationMatrix() * axes.transpose();
     Matrix4 result;
     for (unsigned column = 0; column < 3; ++column)

@@ -10,15 +10,15 @@ namespace cyclone {
 
 using namespace detail;
 
-FixedStep::FixedStep(real length, real longestTime) : step(length), longest(longestTime) {
+FixedStep::FixedStep(real length, real maxTime) : step(length), maxElapsed(maxTime) {
     requirePositive(length, "FixedStep::FixedStep", "the step must be positive and finite");
-    require(longestTime >= length && longestTime / length <= 1e6, "FixedStep::FixedStep",
-            "the longest time must be between one step and a million", {longestTime});
+    require(maxTime >= length && maxTime / length <= 1e6, "FixedStep::FixedStep",
+            "the longest time must be between one step and a million", {maxTime});
 }
 
 unsigned FixedStep::advance(real elapsed) {
     requireNotNegative(elapsed, "FixedStep::advance", "the elapsed time must be finite and not negative");
-    const real owed = std::min(remainder + elapsed, longest);
+    const real owed = std::min(remainder + elapsed, maxElapsed);
     remainder = std::fmod(owed, step);  // exact, so no time is lost or gained here
     return static_cast<unsigned>((owed - remainder) / step + 0.5);
 }

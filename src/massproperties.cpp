@@ -21,7 +21,7 @@ Matrix3 pointInertia(real mass, const Vector3 &r) {
 }
 
 /// Whether some distribution of mass has this tensor, to within rounding.
-bool isTensorOfSomething(const Matrix3 &tensor) {
+bool isPhysicalInertia(const Matrix3 &tensor) {
     const real *d = tensor.data;
     const real tolerance = 1e-9 * std::max({real_abs(d[0]), real_abs(d[4]), real_abs(d[8])});
     const bool isSymmetric = real_abs(d[1] - d[3]) <= tolerance && real_abs(d[2] - d[6]) <= tolerance &&
@@ -46,8 +46,8 @@ void requireLength(real length, const char *function) {
 }
 
 /// The mass of a solid of that volume.
-real massOf(const Matter &matter, real volume, const char *function) {
-    const real mass = matter.getMass(volume);
+real massOf(const MassOrDensity &amount, real volume, const char *function) {
+    const real mass = amount.getMass(volume);
     requirePositive(mass, function, "the mass, or density times volume, must be positive and finite");
     return mass;
 }
@@ -71,57 +71,58 @@ MassProperties::MassProperties(real kilograms, const Vector3 &centreOfMass, cons
     requirePositive(mass, function, "the mass must be positive and finite");
     requireFinite(centre, function, "the centre must be finite");
     requireMatrix(
-        isTensorOfSomething(tensor), function,
+        isPhysicalInertia(tensor), function,
         "the tensor must be symmetric, with moments not negative and none greater than the others' sum",
         tensor);
 }
 
 // ---- Solids
 
-MassProperties MassProperties::box(const Vector3 &halfSizes, const Matter &matter) {
+MassProperties MassProperties::box(const Vector3 &halfSizes, const MassOrDensity &amount) {
     const char *const function = "MassProperties::box";
     requireVector(halfSizes.isFinite() && std::min({halfSizes.x, halfSizes.y, halfSizes.z}) >= 0, function,
                   "half the edges must be finite and not negative", halfSizes);
-    const real mass = massOf(matter, 8 * halfSizes.x * halfSizes.y * halfSizes.z, function);
+    const real mass = massOf(amount, 8 * halfSizes.x * halfSizes.y * halfSizes.z, function);
     return fromMeanSquares(mass, Vector3(), halfSizes.componentProduct(halfSizes) * (1.0 / 3), function);
 }
 
-MassProperties MassProperties::sphere(real radius, const Matter &matter, real innerRadius) {
+MassProperties MassProperties::sphere(real radius, const MassOrDensity &amount, real innerRadius) {
     const char *const function = "MassProperties::sphere";
     requireRadii(radius, innerRadius, function);
     const real R = radius, r = innerRadius;
     // (R⁵ − r⁵)/(R³ − r³), with R − r divided out of both.
     const real squares = R * R + R * r + r * r;
     const real fourthPowers = R * R * R * R + R * R * R * r + R * R * r * r + R * r * r * r + r * r * r * r;
-    const real mass = massOf(matter, REAL_PI * 4 / 3 * squares * (R - r), function);
+    const real mass = massOf(amount, REAL_PI * 4 / 3 * squares * (R - r), function);
     const real meanSquare = fourthPowers / squares / 5;
     return fromMeanSquares(mass, Vector3(), Vector3(1, 1, 1) * meanSquare, function);
 }
 
-MassProperties MassProperties::ellipsoid(const Vector3 &halfAxes, const Matter &matter) {
+MassProperties MassProperties::ellipsoid(const Vector3 &halfAxes, const MassOrDensity &amount) {
     const char *const function = "MassProperties::ellipsoid";
     requireVector(halfAxes.isFinite() && std::min({halfAxes.x, halfAxes.y, halfAxes.z}) > 0, function,
                   "half the axes must be positive and finite", halfAxes);
-    const real mass = massOf(matter, REAL_PI * 4 / 3 * halfAxes.x * halfAxes.y * halfAxes.z, function);
+    const real mass = massOf(amount, REAL_PI * 4 / 3 * halfAxes.x * halfAxes.y * halfAxes.z, function);
     return fromMeanSquares(mass, Vector3(), halfAxes.componentProduct(halfAxes) * 0.2, function);
 }
 
-MassProperties MassProperties::cylinder(real radius, real length, const Matter &matter, real innerRadius) {
+MassProperties MassProperties::cylinder(real radius, real length, const MassOrDensity &amount,
+                                        real innerRadius) {
     const char *const function = "MassProperties::cylinder";
     requireRadii(radius, innerRadius, function);
     requireLength(length, function);
     const real area = REAL_PI * (radius + innerRadius) * (radius - innerRadius);
-    const real mass = massOf(matter, area * length, function);
+    const real mass = massOf(amount, area * length, function);
     const real across = (radius * radius + innerRadius * innerRadius) / 4;
     return fromMeanSquares(mass, Vector3(), Vector3(across, length * length / 12, across), function);
 }
 
-MassProperties MassProperties::capsule(real radius, real length, const Matter &matter) {
+MassProperties MassProperties::capsule(real radius, real length, const MassOrDensity &amount) {
     const char *const function = "MassProperties::capsule";
     requireRadii(radius, 0, function);
     requireLength(length, function);
     const real shaftVolume = length, ballVolume = 4.0 / 3 * radius;  // both divided by the area π·radius²
-    const real mass = massOf(matter, REAL_PI * radius * radius * (shaftVolume + ballVolume), function);
+    const real mass = massOf(amount, REAL_PI * radius * radius * (shaftVolume + ballVolume), function);
     const real shaft = shaftVolume / (shaftVolume + ballVolume), ball = 1 - shaft;
     // The flat side of each half sphere lies at half the length, its centre 3/8·radius further out.
     const real halfLength = length / 2;
@@ -131,11 +132,11 @@ MassProperties MassProperties::capsule(real radius, real length, const Matter &m
     return fromMeanSquares(mass, Vector3(), Vector3(across, along, across), function);
 }
 
-MassProperties MassProperties::cone(real radius, real height, const Matter &matter) {
+MassProperties MassProperties::cone(real radius, real height, const MassOrDensity &amount) {
     const char *const function = "MassProperties::cone";
     requireRadii(radius, 0, function);
     requirePositive(height, function, "the height must be positive and finite");
-    const real mass = massOf(matter, REAL_PI / 3 * radius * radius * height, function);
+    const real mass = massOf(amount, REAL_PI / 3 * radius * radius * height, function);
     const real across = radius * radius * (3.0 / 20);
     const real along = height * height * (3.0 / 80);
     return fromMeanSquares(mass, Vector3(0, height / 4, 0), Vector3(across, along, across), function);

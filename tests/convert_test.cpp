@@ -72,7 +72,8 @@ TEST(Convert, VectorsOfEverySpelling) {
     const float plain[3] = {1.5f, -2.25f, 1024};
     EXPECT_EQ(vectorFrom(plain), v);
     EXPECT_EQ(toHost<Vector3>(v), v);
-    static_assert(std::is_same_v<HostNumber<foreign::Capital>, double>, "doubles stay doubles");
+    static_assert(std::is_same_v<cyclone::detail::HostNumber<foreign::Capital>, double>,
+                  "doubles stay doubles");
     EXPECT_EQ(vectorFrom(toHost<foreign::Capital>(Vector3(0.1, 1e300, 1.0 / 3))),
               Vector3(0.1, 1e300, 1.0 / 3));
 }
@@ -118,45 +119,45 @@ TEST(Convert, TheSameArrayServesRowsAndColumns) {
 
 // ---- Frames
 
-TEST(Frame, AxesOfEngines) {
+TEST(AxisConvention, AxesOfEngines) {
     const Vector3 forward(1, 0, 0), up(0, 1, 0), right(0, 0, 1);
-    EXPECT_EQ(Frame::unreal().getPointInHost(forward), Vector3(100, 0, 0));
-    EXPECT_EQ(Frame::unreal().getPointInHost(right), Vector3(0, 100, 0));
-    EXPECT_EQ(Frame::unreal().getPointInHost(up), Vector3(0, 0, 100));
-    EXPECT_EQ(Frame::unity().getPointInHost(right), Vector3(1, 0, 0));
-    EXPECT_EQ(Frame::unity().getPointInHost(up), Vector3(0, 1, 0));
-    EXPECT_EQ(Frame::unity().getPointInHost(forward), Vector3(0, 0, 1));
-    EXPECT_EQ(Frame::godot().getPointInHost(right), Vector3(1, 0, 0));
-    EXPECT_EQ(Frame::godot().getPointInHost(up), Vector3(0, 1, 0));
-    EXPECT_EQ(Frame::godot().getPointInHost(forward), Vector3(0, 0, -1));
-    EXPECT_EQ(Frame().getPointInHost(Vector3(1, 2, 3)), Vector3(1, 2, 3));
+    EXPECT_EQ(AxisConvention::unreal().getPointInHost(forward), Vector3(100, 0, 0));
+    EXPECT_EQ(AxisConvention::unreal().getPointInHost(right), Vector3(0, 100, 0));
+    EXPECT_EQ(AxisConvention::unreal().getPointInHost(up), Vector3(0, 0, 100));
+    EXPECT_EQ(AxisConvention::unity().getPointInHost(right), Vector3(1, 0, 0));
+    EXPECT_EQ(AxisConvention::unity().getPointInHost(up), Vector3(0, 1, 0));
+    EXPECT_EQ(AxisConvention::unity().getPointInHost(forward), Vector3(0, 0, 1));
+    EXPECT_EQ(AxisConvention::godot().getPointInHost(right), Vector3(1, 0, 0));
+    EXPECT_EQ(AxisConvention::godot().getPointInHost(up), Vector3(0, 1, 0));
+    EXPECT_EQ(AxisConvention::godot().getPointInHost(forward), Vector3(0, 0, -1));
+    EXPECT_EQ(AxisConvention().getPointInHost(Vector3(1, 2, 3)), Vector3(1, 2, 3));
 }
 
 /// By half a right angle, the nose swings to starboard: what every engine calls yaw to the right.
-TEST(Frame, ANoseTurnedRightPointsRightInEveryHost) {
+TEST(AxisConvention, ANoseTurnedRightPointsRightInEveryHost) {
     const Quaternion yaw = Quaternion::fromAxisAngle(Vector3::Y, -REAL_PI / 4);
     const real half = real_sqrt(0.5);
-    const Quaternion unreal = Frame::unreal().getOrientationInHost(yaw);
+    const Quaternion unreal = AxisConvention::unreal().getOrientationInHost(yaw);
     EXPECT_TRUE(isNear(unreal.rotate(Vector3(1, 0, 0)), Vector3(half, half, 0), 1e-15));
     EXPECT_GT(unreal.k, 0);  // FRotator: yaw is positive to the right, about +Z
-    const Quaternion unity = Frame::unity().getOrientationInHost(yaw);
+    const Quaternion unity = AxisConvention::unity().getOrientationInHost(yaw);
     EXPECT_TRUE(isNear(unity.rotate(Vector3(0, 0, 1)), Vector3(half, 0, half), 1e-15));
     EXPECT_GT(unity.j, 0);  // Euler angles: clockwise from above about +Y
-    const Quaternion godot = Frame::godot().getOrientationInHost(yaw);
+    const Quaternion godot = AxisConvention::godot().getOrientationInHost(yaw);
     EXPECT_TRUE(isNear(godot.rotate(Vector3(0, 0, -1)), Vector3(half, 0, -half), 1e-15));
     EXPECT_LT(godot.j, 0);  // right-handed about +Y
 }
 
 class AnyFrame : public testing::TestWithParam<int> {
 protected:
-    static Frame frame() {
-        Frame result;
-        if (GetParam() == 1) result = Frame::unreal();
-        if (GetParam() == 2) result = Frame::unity();
-        if (GetParam() == 3) result = Frame::godot();
+    static AxisConvention frame() {
+        AxisConvention result;
+        if (GetParam() == 1) result = AxisConvention::unreal();
+        if (GetParam() == 2) result = AxisConvention::unity();
+        if (GetParam() == 3) result = AxisConvention::godot();
         if (GetParam() == 4) {  // oblique and mirrored
             const Quaternion q = Quaternion::fromAxisAngle(Vector3(1, -2, 0.5), 0.8);
-            result = Frame(q.rotate(Vector3::X), q.rotate(-Vector3::Y), q.rotate(Vector3::Z), 39.37);
+            result = AxisConvention(q.rotate(Vector3::X), q.rotate(-Vector3::Y), q.rotate(Vector3::Z), 39.37);
         }
         result.setOrigin(Vector3(300, -20, 7));
         return result;
@@ -165,7 +166,7 @@ protected:
 };
 
 TEST_P(AnyFrame, ThereAndBack) {
-    const Frame host = frame();
+    const AxisConvention host = frame();
     const Vector3 v = random.vector(10);
     const Quaternion q = random.orientation();
     EXPECT_TRUE(isNear(host.getPointInCyclone(host.getPointInHost(v)), v, 1e-12));
@@ -177,7 +178,7 @@ TEST_P(AnyFrame, ThereAndBack) {
 }
 
 TEST_P(AnyFrame, TurnThenConvertIsConvertThenTurn) {
-    const Frame host = frame();
+    const AxisConvention host = frame();
     for (int n = 0; n < 20; ++n) {
         const Vector3 v = random.vector(10);
         const Quaternion q = random.orientation(), p = random.orientation();
@@ -189,14 +190,14 @@ TEST_P(AnyFrame, TurnThenConvertIsConvertThenTurn) {
 }
 
 TEST_P(AnyFrame, TurningVelocityIsTheSameCrossProduct) {
-    const Frame host = frame();
+    const AxisConvention host = frame();
     const Vector3 rotation = random.vector(3), arm = random.vector(10);
     EXPECT_TRUE(isNear(host.getVectorInHost(rotation % arm),
                        host.getRotationInHost(rotation) % host.getVectorInHost(arm), 1e-11));
 }
 
 TEST_P(AnyFrame, TransformIsOrientationAndPoint) {
-    const Frame host = frame();
+    const AxisConvention host = frame();
     const Quaternion q = random.orientation();
     const Vector3 at = random.vector(50), inBody = random.vector(2);
     const Matrix4 transform = rigidTransform(q, at);
@@ -208,7 +209,7 @@ TEST_P(AnyFrame, TransformIsOrientationAndPoint) {
 
 /// A body thrown in Cyclone, seen in the host, moves as by the host's own numbers.
 TEST_P(AnyFrame, ABodySeenInTheHost) {
-    const Frame host = frame();
+    const AxisConvention host = frame();
     RigidBody body;
     body.setPosition(1, 2, 3);
     body.setVelocity(4, -5, 6);
@@ -228,25 +229,25 @@ TEST_P(AnyFrame, ABodySeenInTheHost) {
 
 INSTANTIATE_TEST_SUITE_P(Frames, AnyFrame, testing::Range(0, 5));
 
-TEST(Frame, AnOriginKeepsFloatsPrecise) {
-    Frame frame = Frame::unreal();
+TEST(AxisConvention, AnOriginKeepsFloatsPrecise) {
+    AxisConvention frame = AxisConvention::unreal();
     frame.setOrigin(Vector3(1e6, 0, -2e6));
     const auto near = toHost<foreign::Small>(frame.getPointInHost(Vector3(1e6 + 0.125, 3, -2e6)));
     EXPECT_TRUE(near.x == 12.5f && near.y == 0 && near.z == 300);
 }
 
-TEST(Frame, WhatIsRefused) {
+TEST(AxisConvention, WhatIsRefused) {
     const Vector3 x(1, 0, 0), y(0, 1, 0), z(0, 0, 1);
-    EXPECT_THROW(Frame(x, y, y), std::invalid_argument);
-    EXPECT_THROW(Frame(x, y, z * 2), std::invalid_argument);
-    EXPECT_THROW(Frame(x, y, Vector3(0, 1e-3, 1)), std::invalid_argument);
-    EXPECT_THROW(Frame(x, y, Vector3(QUIET_NAN, 0, 1)), std::invalid_argument);
-    EXPECT_THROW(Frame(x, y, z, 0), std::invalid_argument);
-    EXPECT_THROW(Frame(x, y, z, -1), std::invalid_argument);
-    EXPECT_THROW(Frame(x, y, z, QUIET_NAN), std::invalid_argument);
-    EXPECT_THROW(Frame(x, y, z, PLUS_INFINITY), std::invalid_argument);
-    EXPECT_NO_THROW(Frame(x, y, -z, 100));
-    Frame frame;
+    EXPECT_THROW(AxisConvention(x, y, y), std::invalid_argument);
+    EXPECT_THROW(AxisConvention(x, y, z * 2), std::invalid_argument);
+    EXPECT_THROW(AxisConvention(x, y, Vector3(0, 1e-3, 1)), std::invalid_argument);
+    EXPECT_THROW(AxisConvention(x, y, Vector3(QUIET_NAN, 0, 1)), std::invalid_argument);
+    EXPECT_THROW(AxisConvention(x, y, z, 0), std::invalid_argument);
+    EXPECT_THROW(AxisConvention(x, y, z, -1), std::invalid_argument);
+    EXPECT_THROW(AxisConvention(x, y, z, QUIET_NAN), std::invalid_argument);
+    EXPECT_THROW(AxisConvention(x, y, z, PLUS_INFINITY), std::invalid_argument);
+    EXPECT_NO_THROW(AxisConvention(x, y, -z, 100));
+    AxisConvention frame;
     EXPECT_THROW(frame.setOrigin(Vector3(0, PLUS_INFINITY, 0)), std::invalid_argument);
     EXPECT_EQ(frame.getOrigin(), Vector3());
 }

@@ -6,11 +6,11 @@
 ///     body.setVelocity(vectorFrom(hostVelocity));
 ///     actor.setRotation(toHost<HostQuaternion>(body.getOrientation()));
 ///
-/// A host whose axes or units differ needs a Frame as well:
+/// A host whose axes or units differ needs an AxisConvention as well:
 ///
-///     const Frame frame = Frame::unreal();
-///     actor->SetActorLocation(toHost<FVector>(frame.getPointInHost(body.getPosition())));
-///     body.addForce(frame.getVectorInCyclone(vectorFrom(hostForce)));
+///     const AxisConvention unreal = AxisConvention::unreal();
+///     actor->SetActorLocation(toHost<FVector>(unreal.getPointInHost(body.getPosition())));
+///     body.addForce(unreal.getVectorInCyclone(vectorFrom(hostForce)));
 ///
 /// Matrices for graphics: Matrix4::fillGLArray gives sixteen floats or doubles, column by column, for hosts
 /// that multiply columns (OpenGL, Vulkan, glm). Hosts that multiply rows from the left and store row by row
@@ -23,26 +23,28 @@
 
 namespace cyclone {
 
+namespace detail {
+
 /// How a host's type spells its components: `x y z w` (most), `X Y Z W` (Unreal), or else by index.
 template <class Host, class = void>
-struct HasSmallLetters : std::false_type {};
+struct HasLowercaseMembers : std::false_type {};
 template <class Host>
-struct HasSmallLetters<Host, std::void_t<decltype(std::declval<Host &>().x)>> : std::true_type {};
+struct HasLowercaseMembers<Host, std::void_t<decltype(std::declval<Host &>().x)>> : std::true_type {};
 template <class Host, class = void>
-struct HasCapitalLetters : std::false_type {};
+struct HasUppercaseMembers : std::false_type {};
 template <class Host>
-struct HasCapitalLetters<Host, std::void_t<decltype(std::declval<Host &>().X)>> : std::true_type {};
+struct HasUppercaseMembers<Host, std::void_t<decltype(std::declval<Host &>().X)>> : std::true_type {};
 
 /// Component 0, 1, 2 or 3: x, y, z or w.
 template <int INDEX, class Host>
 decltype(auto) component(Host &host) {
     static_assert(INDEX >= 0 && INDEX < 4, "x, y, z or w");
-    if constexpr (HasSmallLetters<Host>::value) {
+    if constexpr (HasLowercaseMembers<Host>::value) {
         if constexpr (INDEX == 0) return (host.x);
         if constexpr (INDEX == 1) return (host.y);
         if constexpr (INDEX == 2) return (host.z);
         if constexpr (INDEX == 3) return (host.w);
-    } else if constexpr (HasCapitalLetters<Host>::value) {
+    } else if constexpr (HasUppercaseMembers<Host>::value) {
         if constexpr (INDEX == 0) return (host.X);
         if constexpr (INDEX == 1) return (host.Y);
         if constexpr (INDEX == 2) return (host.Z);
@@ -56,24 +58,28 @@ decltype(auto) component(Host &host) {
 template <class Host>
 using HostNumber = std::decay_t<decltype(component<0>(std::declval<Host &>()))>;
 
+}  // namespace detail
+
 /// Of any host's vector, array or the like.
 template <class Host>
 Vector3 vectorFrom(const Host &host) {
-    return Vector3(static_cast<real>(component<0>(host)), static_cast<real>(component<1>(host)),
-                   static_cast<real>(component<2>(host)));
+    return Vector3(static_cast<real>(detail::component<0>(host)),
+                   static_cast<real>(detail::component<1>(host)),
+                   static_cast<real>(detail::component<2>(host)));
 }
 
 /// Of any host's quaternion with members x, y, z and w, the real part.
 template <class Host>
 Quaternion quaternionFrom(const Host &host) {
-    return Quaternion(static_cast<real>(component<3>(host)), static_cast<real>(component<0>(host)),
-                      static_cast<real>(component<1>(host)), static_cast<real>(component<2>(host)));
+    return Quaternion(
+        static_cast<real>(detail::component<3>(host)), static_cast<real>(detail::component<0>(host)),
+        static_cast<real>(detail::component<1>(host)), static_cast<real>(detail::component<2>(host)));
 }
 
 /// For any host's vector that can be made as Host{x, y, z}.
 template <class Host>
 Host toHost(const Vector3 &v) {
-    using Number = HostNumber<Host>;
+    using Number = detail::HostNumber<Host>;
     return Host{static_cast<Number>(v.x), static_cast<Number>(v.y), static_cast<Number>(v.z)};
 }
 
@@ -81,12 +87,12 @@ Host toHost(const Vector3 &v) {
 /// part, so the members are set by name.)
 template <class Host>
 Host toHost(const Quaternion &q) {
-    using Number = HostNumber<Host>;
+    using Number = detail::HostNumber<Host>;
     Host result{};
-    component<0>(result) = static_cast<Number>(q.i);
-    component<1>(result) = static_cast<Number>(q.j);
-    component<2>(result) = static_cast<Number>(q.k);
-    component<3>(result) = static_cast<Number>(q.r);
+    detail::component<0>(result) = static_cast<Number>(q.i);
+    detail::component<1>(result) = static_cast<Number>(q.j);
+    detail::component<2>(result) = static_cast<Number>(q.k);
+    detail::component<3>(result) = static_cast<Number>(q.r);
     return result;
 }
 
@@ -102,18 +108,18 @@ Matrix4 matrixFromGLArray(const Number *array) {
 /// A host's axes, unit of length and origin. The default is Cyclone's own: right-handed, X forward, Y up, Z
 /// to the right, metres.
 ///
-/// Handedness is taken care of: turning in Cyclone and converting is the same as converting and turning in
-/// the host, and so for cross products, when rotations, torques and orientations are converted as such.
-class CYCLONE_API Frame {
+/// Handedness is taken care of, provided that rotations, torques and orientations are converted by their own
+/// functions.
+class CYCLONE_API AxisConvention {
 public:
-    Frame() = default;
+    AxisConvention() = default;
     /// Cyclone's X, Y and Z in the host's axes: unit vectors at right angles. Host units in a metre,
     /// positive.
-    Frame(const Vector3 &forward, const Vector3 &up, const Vector3 &right, real unitsPerMetre = 1);
+    AxisConvention(const Vector3 &forward, const Vector3 &up, const Vector3 &right, real unitsPerMetre = 1);
 
-    static Frame unreal();  ///< left-handed, X forward, Z up, Y right, centimetres
-    static Frame unity();   ///< left-handed, Z forward, Y up, X right, metres
-    static Frame godot();   ///< right-handed, −Z forward, Y up, X right, metres
+    static AxisConvention unreal();  ///< left-handed, X forward, Z up, Y right, centimetres
+    static AxisConvention unity();   ///< left-handed, Z forward, Y up, X right, metres
+    static AxisConvention godot();   ///< right-handed, −Z forward, Y up, X right, metres
 
     /// The point of Cyclone's world, m, that is the host's origin: for hosts that keep it near the camera,
     /// where floats are precise. Zero by default.
@@ -125,19 +131,19 @@ public:
         return getVectorInCyclone(hostPoint) + origin;
     }
 
-    /// Whatever has one length in its unit: offsets, velocities, accelerations, forces.
+    /// Quantities with the dimension of a length: offsets, velocities, accelerations, forces.
     Vector3 getVectorInHost(const Vector3 &vector) const { return axes * vector * unitsPerMetre; }
     Vector3 getVectorInCyclone(const Vector3 &hostVector) const {
         return axes.transformTranspose(hostVector) * (1 / unitsPerMetre);
     }
 
-    /// Turned only: axes, normals.
+    /// Axes and normals: the length stays.
     Vector3 getDirectionInHost(const Vector3 &direction) const { return axes * direction; }
     Vector3 getDirectionInCyclone(const Vector3 &hostDirection) const {
         return axes.transformTranspose(hostDirection);
     }
 
-    /// Angular velocity, rad/s; whatever is an axis to turn about. (A torque takes unitsPerMetre² besides.)
+    /// Angular velocity, rad/s. (A torque takes unitsPerMetre² besides.)
     Vector3 getRotationInHost(const Vector3 &rotation) const { return axes * rotation * handedness; }
     Vector3 getRotationInCyclone(const Vector3 &hostRotation) const {
         return axes.transformTranspose(hostRotation) * handedness;

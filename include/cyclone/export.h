@@ -1,7 +1,7 @@
 #pragma once
 
 /// @file
-/// What a shared library lets out.
+/// Symbol visibility of the shared library.
 ///
 /// Built from source, or as a static library, there is nothing to define: CYCLONE_API is then empty. A shared
 /// library defines CYCLONE_SHARED for itself and for everyone who uses it, and CYCLONE_EXPORTS for itself

@@ -22,8 +22,8 @@ public:
     /// The step's length (s, positive), and the longest wall-clock time (s, between one step and a million
     /// steps) that is made good at once. What is beyond is dropped: the simulation slows down rather than
     /// fall ever further behind.
-    FixedStep(real step, real longest);
-    /// With a longest time of a quarter of a second, or as close to it as may be.
+    FixedStep(real step, real maxElapsed);
+    /// With a longest time of a quarter of a second, within those limits.
     explicit FixedStep(real length = 1.0 / 60) : FixedStep(length, real_clamp(0.25, length, 1e6 * length)) {}
 
     /// Takes the time that has passed since the last call (s, not negative) and says how many steps to run
@@ -38,7 +38,7 @@ public:
     void reset() { remainder = 0; }
 
 private:
-    real step, longest;
+    real step, maxElapsed;
     real remainder = 0;
 };
 

@@ -1,8 +1,7 @@
 #pragma once
 
 /// @file
-/// Work shared out over threads: the interface that a World needs, and workers for games without a job
-/// system.
+/// Parallel loops: the interface that a World needs, and threads for games without a job system.
 #include <cyclone/export.h>
 
 #include <cstddef>

@@ -6,13 +6,13 @@
 
 namespace cyclone {
 
-/// How much matter a solid holds: Mass(2.5), or Density(700) times its volume.
-class Matter {
+/// How heavy a solid is: Mass(2.5), or Density(700) times its volume.
+class MassOrDensity {
 public:
     real getMass(real volume) const { return byVolume ? amount * volume : amount; }
 
 protected:
-    Matter(real givenAmount, bool isByVolume) : amount(givenAmount), byVolume(isByVolume) {}
+    MassOrDensity(real givenAmount, bool isByVolume) : amount(givenAmount), byVolume(isByVolume) {}
 
 private:
     real amount;
@@ -20,13 +20,13 @@ private:
 };
 
 /// kg; positive and finite.
-struct Mass : Matter {
-    explicit Mass(real kilograms) : Matter(kilograms, false) {}
+struct Mass : MassOrDensity {
+    explicit Mass(real kilograms) : MassOrDensity(kilograms, false) {}
 };
 
 /// kg/m³; positive and finite. What has no volume needs a Mass.
-struct Density : Matter {
-    explicit Density(real kilogramsPerCubicMetre) : Matter(kilogramsPerCubicMetre, true) {}
+struct Density : MassOrDensity {
+    explicit Density(real kilogramsPerCubicMetre) : MassOrDensity(kilogramsPerCubicMetre, true) {}
 };
 
 /// The mass of a thing, where its centre is, and the inertia tensor about that centre. SI units.
@@ -55,17 +55,18 @@ public:
     /// @{
 
     /// From half its edges, not negative: a plate has one of 0, a rod has two.
-    static MassProperties box(const Vector3 &halfSizes, const Matter &matter);
+    static MassProperties box(const Vector3 &halfSizes, const MassOrDensity &amount);
     /// Hollow up to innerRadius, which may be as great as the radius: a thin shell.
-    static MassProperties sphere(real radius, const Matter &matter, real innerRadius = 0);
+    static MassProperties sphere(real radius, const MassOrDensity &amount, real innerRadius = 0);
     /// From half its axes, positive.
-    static MassProperties ellipsoid(const Vector3 &halfAxes, const Matter &matter);
+    static MassProperties ellipsoid(const Vector3 &halfAxes, const MassOrDensity &amount);
     /// Hollow up to innerRadius, a thin tube at most. Of length 0 it is a disc.
-    static MassProperties cylinder(real radius, real length, const Matter &matter, real innerRadius = 0);
+    static MassProperties cylinder(real radius, real length, const MassOrDensity &amount,
+                                   real innerRadius = 0);
     /// A cylinder between two half spheres, whose centres are `length` apart; of length 0, a sphere.
-    static MassProperties capsule(real radius, real length, const Matter &matter);
+    static MassProperties capsule(real radius, real length, const MassOrDensity &amount);
     /// Its base is centred at the origin, its apex at (0, height, 0); its centre of mass at height/4.
-    static MassProperties cone(real radius, real height, const Matter &matter);
+    static MassProperties cone(real radius, real height, const MassOrDensity &amount);
     /// @}
 
     real getMass() const { return mass; }
