@@ -1,8 +1,10 @@
 /// Same input, same bits: runs a rich scene and compares the hash of all its states with the one number that
-/// every compiler, every optimisation and every processor must give.
+/// every compiler, every optimisation and every processor must give; then once more with threads, where a
+/// second scene takes over half-way from a snapshot of the first run.
 ///
-///     cyclone_golden              runs and compares; exit status 1 if anything is wrong
-///     cyclone_golden 700 703      prints every body's hash after these frames too, to see where builds part
+///     cyclone_golden                   runs and compares; exit status 1 if anything is wrong
+///     cyclone_golden 700 703           prints every body's hash after these frames, to see where builds part
+///     cyclone_golden --snapshot FILE   writes the snapshot, too: the same bytes on every machine
 ///
 /// The number is this library's own output. It proves nothing about the physics, which other tests check
 /// against closed forms and other people's data; it proves that this build computes what all others do. When
@@ -10,6 +12,10 @@
 /// builds agree on the new one.
 #include <cstdio>
 #include <cstdlib>
+#include <cstring>
+#include <fstream>
+#include <memory>
+#include <utility>
 #include <vector>
 
 #include "scene.h"
@@ -18,10 +24,11 @@ namespace {
 
 using cyclone::real;
 using cyclone::RigidBody;
+using cyclone::Snapshot;
 using golden::Scene;
 
 constexpr std::uint64_t GOLDEN = 0x8aa2df3dba125549;
-constexpr int FRAMES = 3000;
+constexpr int FRAMES = 3000, HALF_WAY = FRAMES / 2;
 
 [[noreturn]] void fail(const char *what, int frame) {
     std::printf("cyclone_golden: frame %d: %s\n", frame, what);
@@ -36,25 +43,30 @@ void expect(bool holds, const char *otherwise, int frame) {
 class Witness {
 public:
     explicit Witness(const Scene &s)
-        : scene(s), hasActed(s.getActions().size(), false), wasAwake(s.getWorld().getBodies().size(), true) {}
+        : scene(&s),
+          hasActed(s.getActions().size(), false),
+          wasAwake(s.getWorld().getBodies().size(), true) {}
+
+    /// Another scene takes over.
+    void watch(const Scene &next) { scene = &next; }
 
     /// Before the step.
     void watchForces() {
-        if (scene.getFrame() >= Scene::FIRST_CHANGE_OF_STRUCTURE) return;
+        if (scene->getFrame() >= Scene::FIRST_CHANGE_OF_STRUCTURE) return;
         for (std::size_t n = 0; n < hasActed.size(); ++n) {
-            const Scene::Action &action = scene.getActions()[n];
+            const Scene::Action &action = scene->getActions()[n];
             RigidBody copy = *action.body;
             copy.clearAccumulators();
-            action.generator->updateForce(&copy, scene.getDuration());
+            action.generator->updateForce(&copy, scene->getDuration());
             if (copy.getState().added.force != cyclone::Vector3()) hasActed[n] = true;
         }
     }
     /// After the step.
     void watchBodies(real duration) {
-        const int frame = scene.getFrame();
-        expect(scene.getWorld().getFaultedBodies().empty(), "a body has faulted", frame);
+        const int frame = scene->getFrame();
+        expect(scene->getWorld().getFaultedBodies().empty(), "a body has faulted", frame);
         real energy = 0;
-        const auto &bodies = scene.getWorld().getBodies();
+        const auto &bodies = scene->getWorld().getBodies();
         for (std::size_t n = 0; n < bodies.size(); ++n) {
             const RigidBody &body = *bodies[n];
             expect(body.getPosition().magnitude() < 5000, "a body has run away", frame);
@@ -76,7 +88,7 @@ public:
     }
 
 private:
-    const Scene &scene;
+    const Scene *scene;
     std::vector<bool> hasActed, wasAwake;
     int timesAsleep = 0, timesWoken = 0, fastTurns = 0;
 };
@@ -88,42 +100,87 @@ void printBodies(const Scene &scene) {
                     static_cast<unsigned long long>(cyclone::hashStates(&bodies[n], 1)));
 }
 
-/// The hash of all states over the whole run.
-std::uint64_t run(std::size_t threads, int printFrom, int printTo) {
-    Scene scene(threads);
-    Witness witness(scene);
-    std::uint64_t total = 0;
-    for (int n = 0; n < FRAMES; ++n) {
-        const real duration = scene.getDuration();
-        scene.steer();
+/// A scene, and the hash of all its states so far.
+class Run {
+public:
+    explicit Run(std::size_t threads, int printFrom = FRAMES + 1, int printTo = FRAMES)
+        : scene(std::make_unique<Scene>(threads)), witness(*scene), from(printFrom), to(printTo) {}
+
+    void advanceTo(int end) {
+        while (scene->getFrame() < end) advance();
+    }
+    void save(Snapshot &snapshot) const { scene->getWorld().saveState(snapshot); }
+    /// Goes on in a new scene, which has the states from the snapshot alone.
+    void takeOverFrom(const Snapshot &snapshot, std::size_t threads) {
+        auto next = std::make_unique<Scene>(threads);
+        while (next->getFrame() < scene->getFrame()) {
+            next->steer();
+            next->skip();
+        }
+        next->getWorld().restoreState(snapshot);
+        scene = std::move(next);
+        witness.watch(*scene);
+    }
+    std::uint64_t conclude() const {
+        witness.conclude();
+        return total;
+    }
+
+private:
+    void advance() {
+        const real duration = scene->getDuration();
+        scene->steer();
         witness.watchForces();
-        scene.step();
+        scene->step();
         witness.watchBodies(duration);
 
-        const int frame = scene.getFrame();
-        if (frame >= printFrom && frame <= printTo) printBodies(scene);
-        if (frame % 10 != 0) continue;
-        total = (total ^ scene.getWorld().hash()) * 0x9e3779b97f4a7c15;
+        const int frame = scene->getFrame();
+        if (frame >= from && frame <= to) printBodies(*scene);
+        if (frame % 10 != 0) return;
+        total = (total ^ scene->getWorld().hash()) * 0x9e3779b97f4a7c15;
         total ^= total >> 32;
         if (frame % 500 == 0)
-            std::printf("frame %4d, %zu bodies: %016llx\n", frame, scene.getWorld().getBodies().size(),
+            std::printf("frame %4d, %zu bodies: %016llx\n", frame, scene->getWorld().getBodies().size(),
                         static_cast<unsigned long long>(total));
     }
-    witness.conclude();
-    return total;
+
+    std::unique_ptr<Scene> scene;
+    Witness witness;
+    int from, to;
+    std::uint64_t total = 0;
+};
+
+void writeFile(const char *name, const Snapshot &snapshot) {
+    std::ofstream file(name, std::ios::binary);
+    file.write(reinterpret_cast<const char *>(snapshot.data()),
+               static_cast<std::streamsize>(snapshot.size()));
+    expect(!file.flush().fail(), "the snapshot cannot be written", HALF_WAY);
 }
 
 }  // namespace
 
 int main(int argc, char **argv) {
-    const int from = argc > 1 ? std::atoi(argv[1]) : FRAMES + 1;
-    const int to = argc > 2 ? std::atoi(argv[2]) : from;
-    const std::uint64_t alone = run(0, from, to);
-    std::printf("with three threads:\n");
-    const std::uint64_t shared = run(3, FRAMES + 1, FRAMES);
-    if (alone == GOLDEN && shared == GOLDEN) return 0;
+    const bool wantsSnapshot = argc > 2 && std::strcmp(argv[1], "--snapshot") == 0;
+    const int from = argc > 1 && !wantsSnapshot ? std::atoi(argv[1]) : FRAMES + 1;
+    const int to = argc > 2 && !wantsSnapshot ? std::atoi(argv[2]) : from;
+
+    Snapshot snapshot;
+    Run alone(0, from, to);
+    alone.advanceTo(HALF_WAY);
+    alone.save(snapshot);
+    alone.advanceTo(FRAMES);
+    if (wantsSnapshot) writeFile(argv[2], snapshot);
+
+    std::printf("with three threads, and from the snapshot:\n");
+    Run shared(3);
+    shared.advanceTo(HALF_WAY);
+    shared.takeOverFrom(snapshot, 3);
+    shared.advanceTo(FRAMES);
+
+    const std::uint64_t first = alone.conclude(), second = shared.conclude();
+    if (first == GOLDEN && second == GOLDEN) return 0;
     std::printf("cyclone_golden: got %016llx alone and %016llx with threads, wanted %016llx\n",
-                static_cast<unsigned long long>(alone), static_cast<unsigned long long>(shared),
+                static_cast<unsigned long long>(first), static_cast<unsigned long long>(second),
                 static_cast<unsigned long long>(GOLDEN));
     return 1;
 }

@@ -1,13 +1,16 @@
 #!/usr/bin/env bash
 # Same input, same bits: builds the library and the golden scene with several compilers, at several levels of
 # optimisation, for several processors, and runs each. One line per configuration; exit status 0 if all give
-# the golden number. Needs qemu-user-static, g++-aarch64-linux-gnu and g++-riscv64-linux-gnu on Debian.
+# the golden number and write the same snapshot, byte by byte, which each has gone on from. Needs on Debian:
+# g++, clang, qemu-user-static, g++-{aarch64,riscv64,s390x,i686}-linux-gnu, g++-arm-linux-gnueabihf, nodejs, lld,
+# libc++-dev-wasm32, libclang-rt-dev-wasm32.
 set -eu
 root=$(cd "$(dirname "$0")/../.." && pwd)
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 
 # The emulator, if any, before the colon; compiler and options after it.
+wasm="node --no-warnings --experimental-wasi-unstable-preview1 $root/tests/golden/wasi.mjs"
 configurations=(
     ": g++ -O0"
     ": g++ -O3 -march=native"
@@ -17,16 +20,31 @@ configurations=(
     ": clang++ -O3 -march=native -flto"
     "qemu-aarch64-static: aarch64-linux-gnu-g++ -O2 -static"
     "qemu-riscv64-static: riscv64-linux-gnu-g++ -O2 -static"
+    "qemu-s390x-static: s390x-linux-gnu-g++ -O2 -static"  # big-endian
+    "qemu-arm-static: arm-linux-gnueabihf-g++ -O2 -static -Wno-psabi"
+    "qemu-i386-static: i686-linux-gnu-g++ -O2 -static -msse2 -mfpmath=sse"
+    "$wasm: clang++ --target=wasm32-wasi --sysroot=/usr -O2 -fno-exceptions"
 )
-flags="-std=c++17 -ffp-contract=off -fno-math-errno -I$root/include -pthread"
+flags="-std=c++17 -ffp-contract=off -fno-math-errno -I$root/include"
+sources=$(printf '%s\n' "$root"/src/*.cpp "$root"/tests/golden/*.cpp)
+sources_without_threads="${sources/"$root/src/jobs.cpp"/"$root/tests/golden/nothreads/jobs.cpp"}"
+
+build() { # program compiler options…
+    local program=$1
+    shift
+    case "$*" in
+        *wasm32*) "$@" $flags $sources_without_threads -o "$program" ;;
+        *) "$@" $flags -pthread $sources -o "$program" ;;
+    esac
+}
 
 # Writes "same" or what went wrong to its result.
 check() { # number emulator compiler options…
-    local program=$work/golden$1 log=$work/log$1 result=$work/result$1 emulator=$2
+    local program=$work/golden$1 snapshot=$work/snapshot$1 log=$work/log$1 result=$work/result$1 emulator=$2
     shift 2
-    if ! "$@" $flags "$root"/src/*.cpp "$root"/tests/golden/*.cpp -o "$program" >"$log" 2>&1; then
+    if ! build "$program" "$@" >"$log" 2>&1; then
         echo "does not build" >"$result"
-    elif ! timeout 300 $emulator "$program" >"$log" 2>&1; then
+    elif ! timeout 300 $emulator "$program" --snapshot "$snapshot" >"$log" 2>&1; then
         echo "differs or fails" >"$result"
     else
         echo "same" >"$result"
@@ -43,7 +61,8 @@ wait
 failures=0
 for n in "${!configurations[@]}"; do
     result=$(cat "$work/result$n")
-    printf '%-60s %s\n' "${configurations[$n]#*: }" "$result"
+    [ "$result" != same ] || cmp -s "$work/snapshot0" "$work/snapshot$n" || result="writes another snapshot"
+    printf '%-66s %s\n' "${configurations[$n]#*: }" "$result"
     [ "$result" = same ] && continue
     failures=$((failures + 1))
     tail -n 20 "$work/log$n"
@@ -53,10 +72,10 @@ done
 for options in "g++ -ffast-math" "g++ -Ofast" "g++ -ffinite-math-only" "clang++ -ffast-math" "clang++ -Ofast"; do
     if $options $flags -fsyntax-only "$root/tests/golden/golden.cpp" >"$work/refusal" 2>&1 ||
         ! grep -q "error.*Cyclone" "$work/refusal"; then
-        printf '%-60s %s\n' "$options" "is not refused"
+        printf '%-66s %s\n' "$options" "is not refused"
         failures=$((failures + 1))
     else
-        printf '%-60s %s\n' "$options" "refused"
+        printf '%-66s %s\n' "$options" "refused"
     fi
 done
 
