@@ -1,8 +1,0 @@
-/// A model aircraft to fly in a terminal, or that flies by itself. Try --help.
-#include "flight.h"
-#include "loop.h"
-
-int main(int argc, char *argv[]) {
-    demo::Flight flight;
-    return demo::runDemonstration(flight, argc, argv);
-}

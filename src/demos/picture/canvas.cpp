@@ -1,0 +1,230 @@
+#include "picture/canvas.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "picture/backdrop.h"
+
+namespace demo {
+
+namespace {
+
+constexpr real NEAR_PLANE = 0.05;  // m in front of the eye
+constexpr Colour SHADOW{8, 16, 24};
+constexpr real SHADOW_DEPTH = 0.55;
+constexpr real HEAD_LENGTH = 7, HEAD_WIDTH = 6, SHAFT_WIDTH = 1.5;  // an arrow, pixels,
+constexpr real ARROW_HEIGHT =
+    280;  // of a picture up to this many pixels high; larger ones have larger arrows
+/// Lines stand out this much from the faces that they lie on, as a share of their distance.
+constexpr real LINE_LIFT = 0.003;
+
+/// A normal of a flat polygon, as long as twice its area (Newell's method).
+Vector3 normalOf(const std::vector<Vector3> &corners) {
+    Vector3 normal;
+    for (std::size_t i = 0; i < corners.size(); ++i)
+        normal += (corners[i] - corners[0]) % (corners[i + 1 == corners.size() ? 0 : i + 1] - corners[0]);
+    return normal;
+}
+
+/// The part of a convex polygon where height(corner) ≥ 0 (Sutherland and Hodgman 1974).
+template <typename Height>
+std::vector<Vector3> cut(const std::vector<Vector3> &corners, Height height) {
+    std::vector<Vector3> kept;
+    for (std::size_t i = 0; i < corners.size(); ++i) {
+        const Vector3 &a = corners[i], &b = corners[i + 1 == corners.size() ? 0 : i + 1];
+        const real ha = height(a), hb = height(b);
+        if (ha >= 0) kept.push_back(a);
+        if ((ha < 0) != (hb < 0)) kept.push_back(a + (b - a) * (ha / (ha - hb)));
+    }
+    return kept;
+}
+
+real beyondNearPlane(const Vector3 &inView) { return inView.z - NEAR_PLANE; }
+
+bool areFinite(const std::vector<Vector3> &corners) {
+    return std::all_of(corners.begin(), corners.end(),
+                       [](const Vector3 &corner) { return corner.isFinite(); });
+}
+
+/// Sunlight, and light from the sky that comes rather from above. Cloth lets light through: it is never dark,
+/// and glows where the sun shines on it from behind.
+Colour lit(Colour colour, const Vector3 &unitNormal, bool isThin) {
+    const real facing = unitNormal * Canvas::sun();
+    const real sunlight = facing > 0 ? facing : isThin ? -0.6 * facing : 0;
+    const real skylight = (isThin ? 0.68 : 0.54) + 0.1 * unitNormal.y;
+    return mix({0, 0, 0}, colour, std::min(skylight + 0.37 * sunlight, 1.0));
+}
+
+/// 1/z of the plane through a polygon that is given in view coordinates.
+std::optional<Nearness> nearnessOf(const std::vector<Vector3> &corners, const Vector3 &normal,
+                                   const View &view) {
+    const real offset = normal * corners[0];
+    if (std::abs(offset) < 1e-12 * normal.magnitude()) return std::nullopt;  // seen edge-on
+    Nearness nearness;
+    nearness.perX = normal.x / (offset * view.scale());
+    nearness.perY = -normal.y / (offset * view.scale());
+    nearness.atOrigin = normal.z / offset - nearness.perX * view.centreX() - nearness.perY * view.centreY();
+    return nearness;
+}
+
+}  // namespace
+
+Vector3 Canvas::sun() { return Vector3(0.35, 0.85, -0.4).unit(); }
+
+void Canvas::begin(int columns, int rows, const Camera &camera) {
+    const int width = std::max(columns, 0), height = 2 * std::max(rows, 0);
+    view_ = View(camera, width, height);
+    raster_.reset(width, height);
+    text_.assign(static_cast<std::size_t>(width) * static_cast<std::size_t>(height / 2), std::nullopt);
+}
+
+void Canvas::draw(const Surroundings &surroundings, real time) {
+    paintBackdrop(raster_, view_, surroundings, time, sun());
+}
+
+std::vector<Vector3> Canvas::toWorld(const Face &face, const Pose &pose) {
+    std::vector<Vector3> corners;
+    for (const Vector3 &corner : face.corners)
+        corners.push_back(pose.position + pose.orientation.rotate(corner));
+    return corners;
+}
+
+std::vector<Vector3> Canvas::toView(std::vector<Vector3> corners) const {
+    for (Vector3 &corner : corners) corner = view_.toView(corner);
+    return corners;
+}
+
+std::vector<Spot> Canvas::toPicture(const std::vector<Vector3> &inView) const {
+    std::vector<Spot> spots;
+    for (const Vector3 &corner : cut(inView, beyondNearPlane))
+        spots.push_back({view_.pixelX(corner), view_.pixelY(corner)});
+    return spots;
+}
+
+void Canvas::draw(const Part &part, const Pose &pose) {
+    for (const Face &face : part.faces) {
+        const std::vector<Vector3> corners = toWorld(face, pose);
+        if (corners.size() < 3 || !areFinite(corners)) continue;
+        Vector3 normal = normalOf(corners).unit();
+        if (normal * (view_.eye() - corners[0]) < 0) {
+            if (!part.twoSided) continue;
+            normal.invert();
+        }
+        fill(corners, lit(face.colour, normal, part.twoSided));
+    }
+}
+
+void Canvas::fill(const std::vector<Vector3> &corners, Colour colour) {
+    const std::vector<Vector3> inView = toView(corners);
+    if (const auto nearness = nearnessOf(inView, normalOf(inView), view_))
+        raster_.fill(toPicture(inView), *nearness, colour);
+}
+
+void Canvas::drawOnGround(const Part &part, const Pose &pose) {
+    for (const Face &face : part.faces) {
+        std::vector<Vector3> corners = toWorld(face, pose);
+        for (Vector3 &corner : corners) corner.y = 0;
+        if (areFinite(corners)) raster_.fillOnGround(toPicture(toView(corners)), face.colour, 1, false);
+    }
+}
+
+void Canvas::drawShadow(const Part &part, const Pose &pose) {
+    for (const Face &face : part.faces) {
+        std::vector<Vector3> corners = toWorld(face, pose);
+        if (!areFinite(corners)) continue;
+        corners = cut(corners, [](const Vector3 &corner) { return corner.y; });
+        for (Vector3 &corner : corners) corner -= sun() * (corner.y / sun().y);
+        raster_.fillOnGround(toPicture(toView(corners)), SHADOW, SHADOW_DEPTH, true);
+    }
+}
+
+void Canvas::drawLine(const Vector3 &from, const Vector3 &to, Colour colour, real width) {
+    if (!from.isFinite() || !to.isFinite()) return;
+    const std::vector<Vector3> ends = cut({view_.toView(from), view_.toView(to)}, beyondNearPlane);
+    if (ends.size() < 2) return;
+    const Spot a{view_.pixelX(ends[0]), view_.pixelY(ends[0])},
+        b{view_.pixelX(ends[1]), view_.pixelY(ends[1])};
+    const real length = std::hypot(b.x - a.x, b.y - a.y);
+    if (!(length > 0)) return;
+    const Spot along{(b.x - a.x) / length, (b.y - a.y) / length};
+    const Spot side{-along.y * width / 2, along.x * width / 2};
+
+    const real nearA = (1 + LINE_LIFT) / ends[0].z, nearB = (1 + LINE_LIFT) / ends[1].z;
+    Nearness nearness;
+    nearness.perX = along.x * (nearB - nearA) / length;
+    nearness.perY = along.y * (nearB - nearA) / length;
+    nearness.atOrigin = nearA - nearness.perX * a.x - nearness.perY * a.y;
+    raster_.fill({{a.x - side.x, a.y - side.y},
+                  {a.x + side.x, a.y + side.y},
+                  {b.x + side.x, b.y + side.y},
+                  {b.x - side.x, b.y - side.y}},
+                 nearness, colour);
+}
+
+void Canvas::draw(const Arrow &arrow) {
+    const Vector3 tip = arrow.tail + arrow.vector;
+    const real length = arrow.vector.magnitude();
+    const real distance = view_.toView(tip).z;
+    const Vector3 along = arrow.vector.unit();
+    const Vector3 side = (along % (view_.eye() - tip)).unit();
+    if (!arrow.tail.isFinite() || !tip.isFinite()) return;
+    if (distance < NEAR_PLANE || side.squareMagnitude() == 0)  // no head to be seen
+        return drawLine(arrow.tail, tip, arrow.colour, SHAFT_WIDTH);
+
+    const real size = std::max(raster_.height() / ARROW_HEIGHT, 1.0);
+    const real pixel = size * distance / view_.scale();  // m at the tip
+    const real head = std::min(HEAD_LENGTH * pixel, length);
+    const Vector3 neck = tip - along * head, halfWidth = side * (0.5 * HEAD_WIDTH * pixel);
+    drawLine(arrow.tail, neck, arrow.colour, SHAFT_WIDTH * size);
+    fill({tip, neck + halfWidth, neck - halfWidth}, arrow.colour);
+}
+
+void Canvas::print(int column, int row, const std::string &text, Colour colour) {
+    if (row < 0) row += rows();
+    if (column < 0) column += columns();
+    if (row < 0 || row >= rows()) return;
+    for (const char32_t character : fromUtf8(text)) {
+        if (column >= 0 && column < columns())
+            text_[static_cast<std::size_t>(row) * static_cast<std::size_t>(columns()) +
+                  static_cast<std::size_t>(column)] = Glyph{character, colour};
+        ++column;
+    }
+}
+
+void Canvas::printBox(const std::vector<std::string> &lines, Colour colour) {
+    std::size_t widest = 0;
+    for (const std::string &line : lines) widest = std::max(widest, fromUtf8(line).size());
+    const int column = std::max((columns() - static_cast<int>(widest) - 4) / 2, 0);
+    int row = std::max((rows() - static_cast<int>(lines.size()) - 2) / 2, 0);
+    const std::string blank(widest + 4, ' ');
+    print(column, row++, blank, colour);
+    for (const std::string &line : lines)
+        print(column, row++, "  " + line + std::string(widest + 2 - fromUtf8(line).size(), ' '), colour);
+    print(column, row, blank, colour);
+}
+
+const CellGrid &Canvas::cells() {
+    constexpr real DARKENING = 0.65;
+    if (cells_.columns != columns() || cells_.rows != rows()) cells_ = CellGrid(columns(), rows());
+    for (int row = 0; row < rows(); ++row) {
+        for (int column = 0; column < columns(); ++column) {
+            const Colour upper = raster_.pixel(column, 2 * row), lower = raster_.pixel(column, 2 * row + 1);
+            Cell &cell = cells_.at(column, row);
+            const auto &glyph = text_[static_cast<std::size_t>(&cell - cells_.cells.data())];
+            if (glyph)
+                cell = {glyph->character, glyph->colour, mix(mix(upper, lower, 0.5), {0, 0, 0}, DARKENING)};
+            else
+                cell = {upper == lower ? U' ' : HALF_BLOCK, upper, lower};
+        }
+    }
+    return cells_;
+}
+
+Image Canvas::image() const {
+    Image image{raster_.width(), raster_.height(), {}};
+    for (int y = 0; y < image.height; ++y)
+        for (int x = 0; x < image.width; ++x) image.pixels.push_back(raster_.pixel(x, y));
+    return image;
+}
+
+}  // namespace demo

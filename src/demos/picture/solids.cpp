@@ -1,0 +1,62 @@
+#include "picture/solids.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+
+namespace demo {
+
+void addFace(Part &part, const std::vector<Vector3> &corners, Colour colour) {
+    part.faces.push_back({corners, colour});
+}
+
+void addLoft(Part &part, const std::vector<std::vector<Vector3>> &rings, const std::vector<Colour> &sides,
+             Colour ends) {
+    for (std::size_t n = 0; n + 1 < rings.size(); ++n) {
+        const auto &near = rings[n], &far = rings[n + 1];
+        for (std::size_t i = 0; i < near.size(); ++i) {
+            const std::size_t j = (i + 1) % near.size();
+            const Colour colour = sides[i % sides.size()];
+            addFace(part, {near[i], near[j], far[j]}, colour);  // triangles: a quad might not be flat
+            addFace(part, {near[i], far[j], far[i]}, colour);
+        }
+    }
+    addFace(part, {rings.front().rbegin(), rings.front().rend()}, ends);
+    addFace(part, rings.back(), ends);
+}
+
+void addLoft(Part &part, const std::vector<std::vector<Vector3>> &rings, Colour colour) {
+    addLoft(part, rings, {colour}, colour);
+}
+
+void addBox(Part &part, const Vector3 &a, const Vector3 &b, Colour colour) {
+    const Vector3 low(std::min(a.x, b.x), std::min(a.y, b.y), std::min(a.z, b.z));
+    const Vector3 high(std::max(a.x, b.x), std::max(a.y, b.y), std::max(a.z, b.z));
+    const auto ring = [&](real x) -> std::vector<Vector3> {
+        return {{x, low.y, low.z}, {x, high.y, low.z}, {x, high.y, high.z}, {x, low.y, high.z}};
+    };
+    addLoft(part, {ring(low.x), ring(high.x)}, colour);
+}
+
+void addBar(Part &part, const Vector3 &from, const Vector3 &to, real width, Colour colour) {
+    const Vector3 along = (to - from).unit();
+    Vector3 side = along % Vector3::UP;
+    if (side.magnitude() < 1e-6) side = along % Vector3::X;
+    side = side.unit() * (width / 2);
+    const Vector3 up = side % along;
+    const auto ring = [&](const Vector3 &middle) -> std::vector<Vector3> {
+        return {middle - up - side, middle + up - side, middle + up + side, middle - up + side};
+    };
+    addLoft(part, {ring(from), ring(to)}, colour);
+}
+
+std::vector<Vector3> ringAcrossX(const Vector3 &middle, real halfHeight, real halfWidth, int corners) {
+    std::vector<Vector3> ring;
+    for (int n = 0; n < corners; ++n) {
+        const real angle = 2 * cyclone::REAL_PI * (n + 0.5) / corners;
+        ring.push_back(middle + Vector3(0, halfHeight * std::cos(angle), halfWidth * std::sin(angle)));
+    }
+    return ring;
+}
+
+}  // namespace demo

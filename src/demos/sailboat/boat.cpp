@@ -1,0 +1,188 @@
+#include "sailboat/boat.h"
+
+#include <cmath>
+
+namespace demo {
+
+namespace {
+
+using cyclone::AngledAero;
+using cyclone::Buoyancy;
+using cyclone::Matrix3;
+using cyclone::RigidBody;
+
+/// A part of the boat, as a solid block.
+struct Block {
+    real mass;                  // kg
+    Vector3 centre, halfSizes;  // m, body coordinates
+};
+
+/// Where the boat's mass is.
+constexpr std::array<Block, 5> BLOCKS = {{
+    {70, {0, -0.55, -1.4}, {3, 0.4, 0.2}},     // port hull
+    {70, {0, -0.55, 1.4}, {3, 0.4, 0.2}},      // starboard hull
+    {35, {0, -0.2, 0}, {1.2, 0.05, 1.4}},      // crossbeams and trampoline
+    {150, {-0.1, -0.24, 0}, {0.3, 0.4, 0.6}},  // crew
+    {30, {0.5, 4, 0}, {0.3, 4, 0.05}},         // mast and sail
+}};
+
+constexpr bool isBalanced() {
+    Vector3 moment;
+    for (const Block &block : BLOCKS) moment = moment + block.centre * block.mass;
+    return moment * moment < 1e-18;
+}
+static_assert(isBalanced(), "A body's origin is its centre of mass.");
+
+/// Wholly under water, a half hull: the quadratic part along the hull is what limits speed.
+constexpr Vector3 HULL_LINEAR(4, 1200, 500), HULL_QUADRATIC(2, 150, 150);
+/// A hull is deepest amidships: the water's resistance acts that much nearer to it than buoyancy.
+constexpr real RESISTANCE_INWARDS = 0.6;
+
+/// The sail's own axes: +X from the boom's end to the mast, +Y up the mast, +Z through the cloth. The same
+/// for the rudder.
+constexpr Matrix3 SAIL(-3.5, 0, 0, 0, -2, 0, 0, 0, -160), RUDDER(-1, 0, 0, 0, -1, 0, 0, 0, -250);
+constexpr Vector3 SAIL_CENTRE(-0.6, 2.6, 0), RUDDER_CENTRE(-2.6, -1, 0);
+
+RigidBody makeBody() {
+    real mass = 0;
+    Matrix3 tensor;
+    for (const Block &block : BLOCKS) {
+        mass += block.mass;
+        Matrix3 own, offset;
+        own.setBlockInertiaTensor(block.halfSizes, block.mass);
+        offset.setSkewSymmetric(block.centre);
+        tensor += own + offset * offset * -block.mass;  // Huygens and Steiner: m·(c²·1 − c·cᵀ)
+    }
+    RigidBody body;
+    body.setMass(mass);
+    body.setInertiaTensor(tensor);
+    body.setAcceleration(Vector3::GRAVITY);
+    return body;
+}
+
+Buoyancy makeHull(unsigned halfHull) {
+    return Buoyancy(Catamaran::getHullCentre(halfHull), Catamaran::HULL_HALF_DEPTH,
+                    Catamaran::HALF_HULL_VOLUME, 0);
+}
+
+HullResistance makeResistance(const Buoyancy *hull, unsigned halfHull) {
+    Vector3 centre = Catamaran::getHullCentre(halfHull);
+    centre.x *= RESISTANCE_INWARDS;
+    return HullResistance(hull, centre, HULL_LINEAR, HULL_QUADRATIC);
+}
+
+real resist(real u, real linear, real quadratic) { return -(linear + quadratic * cyclone::real_abs(u)) * u; }
+
+}  // namespace
+
+real wrapAngle(real angle) {
+    const real turns = std::floor(angle / (2 * cyclone::REAL_PI) + 0.5);
+    return angle - turns * 2 * cyclone::REAL_PI;
+}
+
+real bearing(const Vector3 &v) { return cyclone::real_atan2(v.z, v.x); }
+
+HullResistance::HullResistance(const Buoyancy *h, const Vector3 &point, const Vector3 &k1, const Vector3 &k2)
+    : hull(h), centre(point), linear(k1), quadratic(k2) {}
+
+Vector3 HullResistance::getForce(const RigidBody &body) const {
+    const Vector3 flow = body.getVelocity() + body.getRotation() % body.getDirectionInWorldSpace(centre);
+    const Vector3 u = body.getDirectionInLocalSpace(flow);
+    const Vector3 force(resist(u.x, linear.x, quadratic.x), resist(u.y, linear.y, quadratic.y),
+                        resist(u.z, linear.z, quadratic.z));
+    return body.getDirectionInWorldSpace(force) * hull->getSubmersion(body);
+}
+
+void HullResistance::updateForce(RigidBody *body, real) {
+    body->addForceAtBodyPoint(getForce(*body), centre);
+}
+
+Catamaran::Catamaran(cyclone::World *w, const Vector3 *wind, const cyclone::Water *surface)
+    : world(w),
+      windspeed(wind),
+      water(surface),
+      body(makeBody()),
+      hulls{makeHull(0), makeHull(1), makeHull(2), makeHull(3)},
+      resistances{makeResistance(&hulls[0], 0), makeResistance(&hulls[1], 1), makeResistance(&hulls[2], 2),
+                  makeResistance(&hulls[3], 3)},
+      sail(SAIL, SAIL_CENTRE, wind),
+      rudder(RUDDER, RUDDER_CENTRE, nullptr) {
+    world->addBody(&body);
+    cyclone::ForceRegistry &forces = world->getForceRegistry();
+    for (Buoyancy &hull : hulls) {
+        hull.setWater(water);
+        forces.add(&body, &hull);
+    }
+    for (HullResistance &resistance : resistances) forces.add(&body, &resistance);
+    for (AngledAero *surfaceOf : {&sail, &rudder}) {
+        surfaceOf->setRotationalFlow(true);
+        forces.add(&body, surfaceOf);
+    }
+    launch(0, 0, 0);
+}
+
+Catamaran::~Catamaran() { world->removeBody(&body); }
+
+void Catamaran::launch(real x, real z, real heading, real speed) {
+    const real carried = body.getMass() / (1000 * 4 * HALF_HULL_VOLUME);
+    const real draught = HULL_HALF_DEPTH * (2 * carried - 1);  // of the hulls' middles
+    const real level = water->getHeight(Vector3(x, 0, z));
+    body.setAwake(false);  // at rest, and nothing remembered of the voyage before
+    body.setAwake();
+    body.setPosition(x, level - draught - HULL_HEIGHT, z);
+    body.setOrientation(Quaternion::fromAxisAngle(Vector3::UP, -heading));
+    body.setVelocity(body.getDirectionInWorldSpace(Vector3(speed, 0, 0)));
+    setRudder(0);
+    setSail(0);
+}
+
+void Catamaran::setRudder(real angle) {
+    rudderAngle = cyclone::real_clamp(angle, -MAX_RUDDER, MAX_RUDDER);
+    rudder.setOrientation(Quaternion::fromAxisAngle(Vector3::UP, rudderAngle));
+}
+
+void Catamaran::setSail(real angle) {
+    sailAngle = cyclone::real_clamp(angle, -MAX_SAIL, MAX_SAIL);
+    sail.setOrientation(Quaternion::fromAxisAngle(Vector3::UP, sailAngle));
+}
+
+Vector3 Catamaran::getHullCentre(unsigned halfHull) {
+    return Vector3(halfHull % 2 == 0 ? -1.8 : 1.8, HULL_HEIGHT,
+                   halfHull < 2 ? -HULL_SPACING / 2 : HULL_SPACING / 2);
+}
+
+real Catamaran::getHeading() const { return bearing(body.getDirectionInWorldSpace(Vector3::X)); }
+
+real Catamaran::getSpeed() const { return body.getDirectionInLocalSpace(body.getVelocity()).x; }
+
+real Catamaran::getLeeway() const {
+    const Vector3 bow = body.getDirectionInWorldSpace(Vector3::X);
+    const Vector3 starboard = Vector3(-bow.z, 0, bow.x).unit();
+    return body.getVelocity() * starboard;
+}
+
+real Catamaran::getHeel() const {
+    return cyclone::real_atan2(-body.getDirectionInWorldSpace(Vector3::Z).y,
+                               body.getDirectionInWorldSpace(Vector3::Y).y);
+}
+
+real Catamaran::getTrim() const {
+    return cyclone::real_asin(cyclone::real_clamp(body.getDirectionInWorldSpace(Vector3::X).y, -1, 1));
+}
+
+real Catamaran::getTurnRate() const { return -body.getRotation().y; }
+
+real Catamaran::getTrueWindAngle() const { return wrapAngle(bearing(*windspeed) - getHeading()); }
+
+Vector3 Catamaran::getApparentWind() const { return body.getVelocity() + *windspeed; }
+
+real Catamaran::getApparentWindAngle() const { return wrapAngle(bearing(getApparentWind()) - getHeading()); }
+
+real Catamaran::getApparentWindSpeed() const {
+    const Vector3 wind = getApparentWind();
+    return cyclone::real_sqrt(wind.x * wind.x + wind.z * wind.z);
+}
+
+bool Catamaran::isCapsized() const { return body.getDirectionInWorldSpace(Vector3::Y).y < 0; }
+
+}  // namespace demo

@@ -1,0 +1,20 @@
+#pragma once
+
+/// What the catamaran and her marks look like.
+#include "picture/scene.h"
+#include "sailboat/boat.h"
+
+#include <vector>
+
+namespace demo {
+
+/// Hulls with beams, trampoline, crew and mast; sail; rudder. In this order.
+std::vector<Part> makeBoatParts();
+
+/// Where those parts are.
+std::vector<Pose> getBoatPoses(const Catamaran &boat);
+
+/// A buoy to sail round; its origin is at the waterline.
+Part makeMark(const std::string &name, Colour colour);
+
+}  // namespace demo

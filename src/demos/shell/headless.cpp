@@ -1,0 +1,130 @@
+#include "shell/run.h"
+
+#include "base/text.h"
+#include "picture/png.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <ostream>
+#include <stdexcept>
+
+namespace demo {
+
+namespace {
+
+constexpr int STILL_WIDTH = 1024, STILL_HEIGHT = 512;
+constexpr real PROGRESS_INTERVAL = 0.5;  // s of the wall clock
+
+/// Columns as wide as their heading or their numbers need.
+class Table {
+public:
+    Table(const Profile &p, std::ostream &o) : profile(p), out(o) {}
+
+    void printHeading() {
+        std::string names = "    time", units = "       s";
+        for (const Quantity &quantity : profile.quantities) {
+            if (quantity.decimals < 0) continue;
+            names += "  " + padded(quantity.name, width(quantity));
+            units += "  " + padded(quantity.unit, width(quantity));
+        }
+        out << names << '\n' << units << '\n';
+    }
+
+    void print(const Frame &frame) {
+        std::string line = number(frame.time, 8, 1);
+        for (std::size_t n = 0; n < profile.quantities.size(); ++n) {
+            const Quantity &quantity = profile.quantities[n];
+            if (quantity.decimals < 0) continue;
+            line += "  " + number(frame.values[n], width(quantity), quantity.decimals);
+        }
+        out << line << '\n';
+    }
+
+    void print(const Event &event) { out << number(event.time, 8, 1) << "  * " << event.text << '\n'; }
+
+private:
+    static std::size_t width(const Quantity &quantity) {
+        return std::max<std::size_t>(quantity.name.size(), 5 + static_cast<std::size_t>(quantity.decimals));
+    }
+    static std::string padded(const std::string &text, std::size_t columns) {
+        // Characters, not bytes: those that go on in UTF-8 don't count.
+        const auto length = static_cast<std::size_t>(std::count_if(
+            text.begin(), text.end(), [](char c) { return (static_cast<unsigned char>(c) & 0xC0) != 0x80; }));
+        return std::string(columns - std::min(columns, length), ' ') + text;
+    }
+    static std::string number(real value, std::size_t columns, int decimals) {
+        return padded(fixed(value, decimals), columns);
+    }
+
+    const Profile &profile;
+    std::ostream &out;
+};
+
+/// "42 of 600 s" on one line that is written over again and again, and wiped away at the end.
+class Progress {
+public:
+    Progress(std::ostream *o, real seconds) : out(o), total(seconds) {}
+    ~Progress() {
+        if (shown) *out << "\r\x1b[K" << std::flush;
+    }
+    void show(real time) {
+        const auto now = std::chrono::steady_clock::now();
+        if (!out || std::chrono::duration<real>(now - last).count() < PROGRESS_INTERVAL) return;
+        last = now;
+        shown = true;
+        *out << '\r' << std::lround(time) << " of " << std::lround(total) << " s" << std::flush;
+    }
+
+private:
+    std::ostream *out;
+    real total;
+    std::chrono::steady_clock::time_point last = std::chrono::steady_clock::now();
+    bool shown = false;
+};
+
+}  // namespace
+
+void takeStill(const Still &still, const Profile &profile, const Frame &frame) {
+    if (!still.out) return;
+    Stage stage(profile);
+    stage.viewpoint = still.viewpoint;
+    stage.zoom = still.zoom;
+    stage.showForces = true;
+    Canvas canvas;
+    stage.draw(canvas, STILL_WIDTH, STILL_HEIGHT / 2, frame, 0);
+    writePng(*still.out, canvas.image());
+}
+
+void runHeadless(Session &session, Demonstration &demonstration, std::optional<real> seconds,
+                 const Still &still, std::ostream &out, std::ostream *progressOut) {
+    const Profile &profile = demonstration.getProfile();
+    const real total = seconds.value_or(profile.duration);
+    const auto steps = std::lround(total / profile.step), stillAt = std::lround(still.time / profile.step);
+    const auto perLine = std::max(std::lround(1 / profile.step), 1L);
+
+    Table table(profile, out);
+    Progress progress(progressOut, total);
+    table.printHeading();
+    table.print(session.getFrame());
+    bool taken = false;
+    for (long n = 1; n <= steps; ++n) {
+        if (session.isOver()) {
+            if (session.getDriver() != Driver::PILOT || !seconds) break;
+            session.restart();
+        }
+        session.step();
+        for (const Event &event : session.takeEvents()) table.print(event);
+        if (n % perLine == 0) table.print(session.getFrame());
+        if (!out) throw std::runtime_error("cannot write to the standard output");
+        if (n == stillAt) {
+            takeStill(still, profile, session.getFrame());
+            taken = true;
+        }
+        progress.show(session.getFrame().time);
+    }
+    if (!taken) takeStill(still, profile, session.getFrame());
+    out << session.getReport() << '\n';
+}
+
+}  // namespace demo

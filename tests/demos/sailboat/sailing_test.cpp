@@ -1,0 +1,203 @@
+#include "sailboat/sailing.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <set>
+#include <stdexcept>
+
+namespace {
+
+using cyclone::real;
+using cyclone::Vector3;
+using demo::Sailing;
+
+constexpr real DEGREE = cyclone::REAL_PI / 180;
+const std::vector<real> CALM = {6, 0, 0}, FRESH = {6, 0.8, 0.3};
+
+void run(Sailing &sailing, real seconds, bool withPilot = true) {
+    for (const real end = sailing.getTime() + seconds; sailing.getTime() < end;) {
+        if (withPilot) sailing.steer();
+        sailing.step();
+    }
+}
+
+std::uint64_t hashAfter(std::uint64_t seed, real seconds) {
+    Sailing sailing;
+    sailing.begin(seed, FRESH);
+    run(sailing, seconds);
+    return sailing.getHash();
+}
+
+std::multiset<std::string> eventsOf(Sailing &sailing) {
+    std::multiset<std::string> texts;
+    for (const demo::Event &event : sailing.takeEvents()) texts.insert(event.text);
+    return texts;
+}
+
+TEST(Sailing, FitsItsProfile) {
+    Sailing sailing;
+    const demo::Profile &profile = sailing.getProfile();
+    const demo::Frame frame = sailing.getFrame();
+    EXPECT_EQ(frame.poses.size(), profile.parts.size());
+    EXPECT_EQ(frame.values.size(), profile.quantities.size());
+    EXPECT_TRUE(frame.cut);
+    EXPECT_TRUE(sailing.getFrame().cut);  // the same moment, told twice
+    sailing.step();
+    EXPECT_FALSE(sailing.getFrame().cut);
+    for (const demo::Setting &setting : profile.settings) {
+        EXPECT_LE(setting.low, setting.value);
+        EXPECT_GE(setting.high, setting.value);
+    }
+}
+
+TEST(Sailing, PartsAreConvexAndFlat) {
+    const Sailing sailing;
+    for (const demo::Part &part : sailing.getProfile().parts)
+        for (const demo::Face &face : part.faces) {
+            const std::size_t count = face.corners.size();
+            ASSERT_GE(count, 3u) << part.name;
+            Vector3 area;
+            for (std::size_t n = 0; n < count; ++n)
+                area +=
+                    (face.corners[n] - face.corners[0]) % (face.corners[(n + 1) % count] - face.corners[0]);
+            ASSERT_GT(area.magnitude(), 1e-6) << part.name;
+            const Vector3 normal = area.unit();
+            for (std::size_t n = 0; n < count; ++n) {
+                const Vector3 a = face.corners[n], b = face.corners[(n + 1) % count],
+                              c = face.corners[(n + 2) % count];
+                EXPECT_GT(((b - a) % (c - b)) * normal, -1e-9) << part.name;
+                EXPECT_NEAR((a - face.corners[0]) * normal, 0, 1e-9) << part.name;
+            }
+        }
+}
+
+TEST(Sailing, TheSameSeedGivesTheSameRunAndAnotherAnother) {
+    const std::uint64_t hash = hashAfter(7, 20);
+    EXPECT_EQ(hashAfter(7, 20), hash);
+    EXPECT_NE(hashAfter(8, 20), hash);
+}
+
+TEST(Sailing, ARunCanBePlayedAgainFromItsControls) {
+    Sailing piloted;
+    piloted.begin(3, FRESH);
+    Sailing played;
+    played.begin(3, FRESH);
+    while (piloted.getTime() < 30) {
+        piloted.steer();
+        for (std::size_t n = 0; n < 2; ++n) played.setControl(n, piloted.getControl(n));
+        piloted.step();
+        played.step();
+    }
+    EXPECT_EQ(piloted.getHash(), played.getHash());
+}
+
+TEST(Sailing, TheSkipperSailsRoundTheMarks) {
+    for (const std::vector<real> &weather : {CALM, FRESH, {8, 1, 0.5}}) {
+        Sailing sailing;
+        sailing.begin(1, weather);
+        while (!sailing.isOver() && sailing.getTime() < 240) run(sailing, 1);
+        EXPECT_TRUE(sailing.isOver());
+        const std::multiset<std::string> events = eventsOf(sailing);
+        for (const char *mark : {"windward", "wing", "leeward"})
+            EXPECT_EQ(events.count(std::string("rounded the ") + mark + " mark"), 1u);
+        EXPECT_GE(events.count("tacked"), 1u);  // the windward mark lies too close to the wind to be laid
+        EXPECT_EQ(events.count("gybed"), 1u);
+        EXPECT_EQ(events.count("capsized"), 0u);
+    }
+}
+
+TEST(Sailing, ACapsizedBoatIsRightedWhereSheLies) {
+    Sailing sailing;
+    sailing.begin(1, {15, 0, 0});
+    sailing.setControl(0, -35);  // bears away, with the sail hauled in hard
+    real mostHeel = 0;
+    std::multiset<std::string> events;
+    while (events.count("capsized") == 0 && sailing.getTime() < 60) {
+        sailing.step();
+        mostHeel = std::max(mostHeel, std::fabs(sailing.getBoat().getHeel()));
+        events.merge(eventsOf(sailing));
+    }
+    ASSERT_EQ(events.count("capsized"), 1u);
+    EXPECT_GT(mostHeel, 90 * DEGREE);
+    sailing.getFrame();
+    Vector3 before;
+    while (events.count("righted") == 0 && sailing.getTime() < 80) {
+        before = sailing.getBoat().getBody().getPosition();
+        sailing.step();
+        events.merge(eventsOf(sailing));
+    }
+    EXPECT_EQ(events.count("righted"), 1u);
+    EXPECT_TRUE(sailing.getFrame().cut);
+    EXPECT_NEAR(sailing.getBoat().getHeel(), 0, 1e-9);
+    const Vector3 after = sailing.getBoat().getBody().getPosition();
+    EXPECT_NEAR(Vector3(after.x - before.x, 0, after.z - before.z).magnitude(), 0, 0.2);
+}
+
+TEST(Sailing, StartsOverWithTheWeatherGoingOn) {
+    Sailing sailing;
+    sailing.begin(2, FRESH);
+    const Vector3 start = sailing.getFrame().poses[0].position;
+    run(sailing, 15);
+    const real time = sailing.getTime();
+    const Vector3 wind = sailing.getFrame().windspeed;
+    sailing.startOver();
+    const demo::Frame frame = sailing.getFrame();
+    EXPECT_EQ(sailing.getTime(), time);
+    EXPECT_EQ(frame.windspeed, wind);
+    EXPECT_TRUE(frame.cut);
+    EXPECT_EQ(frame.poses[0].position.x, start.x);
+    EXPECT_EQ(frame.poses[0].position.z, start.z);
+    EXPECT_EQ(sailing.getControl(0), 0);
+    EXPECT_EQ(sailing.getControl(1), 0);
+}
+
+TEST(Sailing, DrawsTheSeaThatTheBoatFloatsOn) {
+    Sailing sailing;
+    sailing.begin(2, {6, 0, 1});
+    run(sailing, 10);
+    const auto &waves = sailing.getProfile().surroundings.waves;
+    ASSERT_FALSE(waves.empty());
+    // The marks float on the waves that the profile tells of.
+    const demo::Frame frame = sailing.getFrame();
+    for (std::size_t n = 3; n < frame.poses.size(); ++n) {
+        const Vector3 mark = frame.poses[n].position;
+        real height = 0;
+        for (const demo::WaveTrain &wave : waves) {
+            const real k = 2 * cyclone::REAL_PI / wave.wavelength;
+            const real along = mark.x * std::cos(wave.direction) + mark.z * std::sin(wave.direction);
+            height += wave.amplitude * std::sin(k * along - std::sqrt(9.81 * k) * frame.time + wave.phase);
+        }
+        EXPECT_NEAR(mark.y, height, 1e-9);
+    }
+    sailing.begin(2, CALM);
+    EXPECT_TRUE(sailing.getProfile().surroundings.waves.empty());
+}
+
+TEST(Sailing, TellsThePointOfSail) {
+    EXPECT_STREQ(demo::pointOfSail(5 * DEGREE), "in irons");
+    EXPECT_STREQ(demo::pointOfSail(-45 * DEGREE), "close hauled");
+    EXPECT_STREQ(demo::pointOfSail(90 * DEGREE), "beam reach");
+    EXPECT_STREQ(demo::pointOfSail(-135 * DEGREE), "broad reach");
+    EXPECT_STREQ(demo::pointOfSail(180 * DEGREE), "running");
+}
+
+TEST(Sailing, TellsAllInEightyColumns) {
+    Sailing sailing;
+    sailing.begin(5, {12, 2, 1});
+    for (int second = 0; second < 120; ++second) {
+        run(sailing, 1);
+        EXPECT_LE(sailing.getHeadUpLine().size(), 80u) << sailing.getHeadUpLine();
+    }
+}
+
+TEST(Sailing, ShowsWhatABoatAtRestWouldShow) {
+    Sailing sailing;
+    sailing.begin(0, {0, 0, 0});
+    run(sailing, 300, false);  // no wind, no pilot: she comes to rest
+    const std::string line = sailing.getHeadUpLine();
+    EXPECT_NE(line.find("HEEL 0  SAIL 0  RUD 0"), std::string::npos) << line;
+    EXPECT_NE(line.find("SPD 0.0"), std::string::npos) << line;
+}
+
+}  // namespace

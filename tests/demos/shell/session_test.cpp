@@ -1,0 +1,88 @@
+#include "shell/session.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <sstream>
+
+#include "flightsim/flight.h"
+
+using namespace demo;
+
+namespace {
+
+const std::vector<real> breeze = {1.5, 20, 0.3};
+
+void run(Session &session, int steps) {
+    for (int n = 0; n < steps; ++n) session.step();
+}
+
+}  // namespace
+
+TEST(DemoSession, WhatWasRecordedPlaysBackToTheSameBits) {
+    Flight flown;
+    Session play(flown, 3, breeze);
+    run(play, 700);  // the pilot takes off
+    play.takeControls();
+    flown.setControl(Flight::PITCH, -0.7);  // and is flown into the ground, which starts over
+    run(play, 400);
+    EXPECT_LT(flown.getAircraft().getBody().getPosition().x, 40);
+    flown.setControl(Flight::THROTTLE, 0.8);
+    run(play, 100);
+    play.restart();
+    flown.setControl(Flight::THROTTLE, 0.5);
+    run(play, 300);
+
+    Flight replayed;
+    const Script inputs = readScript(writeScript(play.getInputs(), flown.getProfile()), flown.getProfile());
+    Session replay(replayed, *inputs.seed, breeze, inputs);
+    int steps = 0;
+    for (; !replay.isOver(); ++steps) replay.step();
+    EXPECT_EQ(steps, 1500);
+    EXPECT_EQ(replayed.getHash(), flown.getHash());
+    EXPECT_EQ(replay.getReport(), play.getReport());
+}
+
+TEST(DemoSession, AScriptSetsItsControlsAtItsTimes) {
+    Flight flight;
+    const Script script = readScript("0 throttle 0.4\n0.5 rudder 0.2\n1 end\n", flight.getProfile());
+    Session session(flight, 1, breeze, script);
+    EXPECT_EQ(session.getDriver(), Driver::SCRIPT);
+    run(session, 60);
+    EXPECT_EQ(flight.getControl(Flight::THROTTLE), 0.4);
+    EXPECT_EQ(flight.getControl(Flight::RUDDER), 0);
+    session.step();
+    EXPECT_EQ(flight.getControl(Flight::RUDDER), 0.2);
+    EXPECT_FALSE(session.isOver());
+    run(session, 59);
+    EXPECT_TRUE(session.isOver());
+}
+
+TEST(DemoSession, TheCsvFileHasALineForEveryStepAndAColumnForEveryQuantity) {
+    Flight flight;
+    Session session(flight, 1, breeze);
+    std::ostringstream csv;
+    session.writeCsvTo(csv);
+    run(session, 10);
+    std::istringstream lines(csv.str());
+    std::string line;
+    int count = 0;
+    while (std::getline(lines, line)) {
+        EXPECT_EQ(std::count(line.begin(), line.end(), ','),
+                  static_cast<long>(flight.getProfile().quantities.size()));
+        ++count;
+    }
+    EXPECT_EQ(count, 1 + 11);
+    EXPECT_EQ(csv.str().rfind("time [s],x [m],height [m]", 0), 0u);
+}
+
+TEST(DemoSession, ThePageHasThirtyFramesASecondAndTheEvents) {
+    Flight flight;
+    Session session(flight, 1, breeze);
+    session.keepFrames();
+    run(session, 600);
+    std::ostringstream page;
+    session.writePageTo(page);
+    EXPECT_NE(page.str().find("\"frames\":151,"), std::string::npos);
+    EXPECT_NE(page.str().find("took off"), std::string::npos);
+}
