@@ -36,7 +36,7 @@ void findPrincipalAxes(const Matrix3 &m, Vector3 &values, Quaternion &axes) {
     for (int rotation = 0; rotation < 40; ++rotation) {
         const real offDiagonals[3] = {real_abs(turned.data[5]), real_abs(turned.data[2]),
                                       real_abs(turned.data[1])};
-        const auto largest = std::max_element(offDiagonals, offDiagonals + 3);
+        const auto *const largest = std::max_element(offDiagonals, offDiagonals + 3);
         const real size =
             std::max({real_abs(turned.data[0]), real_abs(turned.data[4]), real_abs(turned.data[8])});
         if (!(*largest > REAL_EPSILON / 4 * size)) break;

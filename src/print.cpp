@@ -28,7 +28,7 @@ bool readsBackAs(real number, const std::string &text) {
 std::string textOf(real number) {
     if (number != number) return "nan";
     for (int digits = 15; digits < 17; ++digits) {
-        const std::string text = textOf(number, digits);
+        std::string text = textOf(number, digits);
         if (readsBackAs(number, text)) return text;
     }
     return textOf(number, 17);
