@@ -8,6 +8,7 @@
 /// current past a keel is the same. Tensors are in body axes; drag is a negative diagonal, lift an entry off
 /// the diagonal.
 #include <cyclone/force.h>
+#include <cyclone/wind.h>
 
 namespace cyclone {
 
@@ -24,6 +25,10 @@ public:
     void setRotationalFlow(bool on) { rotationalFlow = on; }
     bool getRotationalFlow() const { return rotationalFlow; }
 
+    /// A wind that differs from place to place, read where the surface is, on top of windspeed: the flow is
+    /// the velocity + windspeed − the field's. It must live as long as the surface acts; null is none.
+    void setWind(const WindField *field) { wind = field; }
+
     /// The tensor in use now, body coordinates.
     const Matrix3 &getTensor() const { return tensor; }
     Vector3 getPosition() const { return position; }
@@ -32,6 +37,7 @@ public:
     Vector3 getForce(const RigidBody &body) const {
         Vector3 flow = body.getVelocity();
         if (windspeed != nullptr) flow += *windspeed;
+        if (wind != nullptr) flow -= wind->getVelocity(body.getPointInWorldSpace(position));
         if (rotationalFlow) flow += body.getRotation() % body.getDirectionInWorldSpace(position);
         return body.getDirectionInWorldSpace(tensor * body.getDirectionInLocalSpace(flow));
     }
@@ -46,6 +52,7 @@ protected:
     Matrix3 tensor;
     Vector3 position;
     const Vector3 *windspeed;
+    const WindField *wind = nullptr;
     bool rotationalFlow = false;
 };
 

@@ -6,3 +6,4 @@
 #include <cyclone/buoyancy.h>
 #include <cyclone/force.h>
 #include <cyclone/propulsion.h>
+#include <cyclone/wind.h>
