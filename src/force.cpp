@@ -43,34 +43,57 @@ Vector3 springForce(const Vector3 &d, real springConstant, real restLength) {
 
 }  // namespace
 
-Spring::Spring(const char *function, const Vector3 &point, const RigidBody *otherBody,
+Spring::Spring(const char *function, const RigidBody *body, const Vector3 &point, const RigidBody *otherBody,
                const Vector3 &otherPoint, real constant, real length)
-    : connectionPoint(point),
+    : firstBody(body),
+      connectionPoint(point),
       other(requireNonNull(otherBody, function, "the other body must not be null")),
       otherConnectionPoint(otherPoint),
       springConstant(constant),
       restLength(length) {
     requireSpring(point, otherPoint, constant, length, function);
+    require(body != otherBody, function, "the two bodies must be different");
 }
 
 Spring::Spring(const Vector3 &point, const RigidBody *otherBody, const Vector3 &otherPoint, real constant,
                real length)
-    : Spring("Spring::Spring", point, otherBody, otherPoint, constant, length) {}
+    : Spring("Spring::Spring", nullptr, point, otherBody, otherPoint, constant, length) {}
+
+Spring::Spring(const RigidBody *body, const Vector3 &point, const RigidBody *otherBody,
+               const Vector3 &otherPoint, real constant, real length)
+    : Spring("Spring::Spring", requireNonNull(body, "Spring::Spring", "the body must not be null"), point,
+             otherBody, otherPoint, constant, length) {}
 
 Bungee::Bungee(const Vector3 &point, const RigidBody *otherBody, const Vector3 &otherPoint, real constant,
                real length)
-    : Spring("Bungee::Bungee", point, otherBody, otherPoint, constant, length) {}
+    : Spring("Bungee::Bungee", nullptr, point, otherBody, otherPoint, constant, length) {}
 
-Vector3 Spring::getSpan(const RigidBody &body) const {
-    return body.getPointInWorldSpace(connectionPoint) - other->getPointInWorldSpace(otherConnectionPoint);
+Bungee::Bungee(const RigidBody *body, const Vector3 &point, const RigidBody *otherBody,
+               const Vector3 &otherPoint, real constant, real length)
+    : Spring("Bungee::Bungee", requireNonNull(body, "Bungee::Bungee", "the body must not be null"), point,
+             otherBody, otherPoint, constant, length) {}
+
+const RigidBody *Spring::getOtherBody(const RigidBody *body) const {
+    return isOther(*body) ? firstBody : other;
+}
+
+Vector3 Spring::getPointOn(const RigidBody &body) const {
+    return isOther(body) ? otherConnectionPoint : connectionPoint;
+}
+
+Vector3 Spring::getSeparation(const RigidBody &body) const {
+    const RigidBody &far = *getOtherBody(&body);
+    const Vector3 &farPoint = isOther(body) ? connectionPoint : otherConnectionPoint;
+    return body.getPointInWorldSpace(getPointOn(body)) - far.getPointInWorldSpace(farPoint);
 }
 
 void Spring::updateForce(RigidBody *body, real) {
-    body->addForceAtBodyPoint(springForce(getSpan(*body), springConstant, restLength), connectionPoint);
+    body->addForceAtBodyPoint(springForce(getSeparation(*body), springConstant, restLength),
+                              getPointOn(*body));
 }
 
 void Bungee::updateForce(RigidBody *body, real duration) {
-    if (getSpan(*body).magnitude() > restLength) Spring::updateForce(body, duration);
+    if (getSeparation(*body).magnitude() > restLength) Spring::updateForce(body, duration);
 }
 
 AnchoredSpring::AnchoredSpring(const Vector3 &point, const Vector3 &worldAnchor, real constant, real length)

@@ -37,14 +37,10 @@ public:
     Crew &operator=(const Crew &) = delete;
 
     void work(std::size_t partCount, Job &work) {
-        {
-            const std::lock_guard<std::mutex> lock(mutex);
-            job = &work;
-            count = partCount;
-            next = 0;
-            ++task;
+        if (!announce(partCount, work)) {
+            for (std::size_t part = 0; part < partCount; ++part) work.run(part);
+            return;
         }
-        announcement.notify_all();
         takeParts();
         std::unique_lock<std::mutex> lock(mutex);
         completion.wait(lock, [this] { return active == 0; });
@@ -53,6 +49,20 @@ public:
     }
 
 private:
+    /// False if there is a task already.
+    bool announce(std::size_t partCount, Job &work) {
+        {
+            const std::lock_guard<std::mutex> lock(mutex);
+            if (job != nullptr) return false;
+            job = &work;
+            count = partCount;
+            next = 0;
+            ++task;
+        }
+        announcement.notify_all();
+        return true;
+    }
+
     void waitAndWork() {
         std::unique_lock<std::mutex> lock(mutex);
         for (std::size_t seen = 0;;) {

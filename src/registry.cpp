@@ -2,78 +2,185 @@
 #include <cyclone/jobs.h>
 
 #include <algorithm>
-#include <functional>
+#include <utility>
 
 #include "arguments.h"
 #include "compiler.h"
+#include "growing.h"
+#include "parallel.h"
+#include "registrations.h"
+#include "snapshothistory.h"
 
 namespace cyclone {
 
 using namespace detail;
 
+ForceRegistry::ForceRegistry() : registrations(std::make_unique<Registrations>()) {}
+
+ForceRegistry::~ForceRegistry() {
+    history.reset();
+    clear();
+}
+
+std::size_t ForceRegistry::size() const { return registrations->size(); }
+
+bool ForceRegistry::hasCrossBodyGenerators() const { return registrations->getCrossBodyCount() > 0; }
+
+// ---- Adding and removing
+
+void ForceRegistry::requireNotParallel(const char *function) const {
+    require(phase != Phase::PARALLEL, function,
+            "a generator that acts on its body only may not change registrations");
+}
+
 void ForceRegistry::add(RigidBody *body, ForceGenerator *generator) {
     requireNonNull(body, "ForceRegistry::add", "the body must not be null");
     requireNonNull(generator, "ForceRegistry::add", "the generator must not be null");
-    require(!sharing, "ForceRegistry::add",
-            "a generator that acts on its body only may not add registrations");
-    registrations.push_back({body, generator, generator->actsOnItsBodyOnly()});
-    if (!registrations.back().actsOnItsBodyOnly) ++outreachingCount;
-    schedule.reserve(registrations.capacity());
-    scheduleIsCurrent = false;
+    requireNotParallel("ForceRegistry::add");
+    registrations->reserveMore(1);
+    RegistrationDetails its = describe(body, generator);
+    const std::size_t known = registrations->first(Registrations::GENERATOR, generator);
+    if (known != Registrations::NONE) {
+        its.isOwned = registrations->getDetails(known).isOwned;
+        its.born = registrations->getDetails(known).born;
+    } else if (phase == Phase::SERIAL) {
+        its.isOwned = revive(generator, its.born);
+    }
+    append(body, generator, its);
+}
+
+/// Takes the generator over, to end with its last registration. The second body may be null.
+void ForceRegistry::own(std::unique_ptr<ForceGenerator> generator, RigidBody *body, RigidBody *second) {
+    reserveGrowing(endedGenerators, endedGenerators.size() + ownedCount + 1);
+    registrations->reserveMore(2);
+    RegistrationDetails its = describe(body, generator.get());
+    its.isOwned = true;
+    its.born = history != nullptr ? history->now() : 0;
+    RegistrationDetails mirrored = its;
+    if (second != nullptr) mirrored.otherBody = generator->getOtherBody(second);
+
+    ForceGenerator *const owned = generator.release();
+    ++ownedCount;
+    append(body, owned, its);
+    if (second != nullptr) append(second, owned, mirrored);
+}
+
+RegistrationDetails ForceRegistry::describe(const RigidBody *body, const ForceGenerator *generator) {
+    return {generator->getOtherBody(body), 0, generator->actsOnItsBodyOnly(), false};
+}
+
+void ForceRegistry::append(RigidBody *body, ForceGenerator *generator, const RegistrationDetails &its) {
+    registrations->append({body, generator}, its);
+    revision = ++changes;
+}
+
+bool ForceRegistry::isOwned(const ForceGenerator *generator) const {
+    const std::size_t index = registrations->first(Registrations::GENERATOR, generator);
+    return index != Registrations::NONE && registrations->getDetails(index).isOwned;
 }
 
 void ForceRegistry::remove(RigidBody *body, ForceGenerator *generator) {
-    require(!sharing, "ForceRegistry::remove",
-            "a generator that acts on its body only may not change registrations");
+    requireNotParallel("ForceRegistry::remove");
     requireNonNull(body, "ForceRegistry::remove", "the body must not be null");
     requireNonNull(generator, "ForceRegistry::remove", "the generator must not be null");
-    for (std::size_t n = 0; n < registrations.size(); ++n)
-        if (registrations[n].body == body && registrations[n].generator == generator) return erase(n);
+    std::size_t n = registrations->first(Registrations::BODY, body);
+    while (n != Registrations::NONE && (*registrations)[n].generator != generator)
+        n = registrations->next(Registrations::BODY, n);
+    if (n != Registrations::NONE) end(n);
 }
 
 void ForceRegistry::remove(RigidBody *body) {
-    require(!sharing, "ForceRegistry::remove",
-            "a generator that acts on its body only may not change registrations");
+    requireNotParallel("ForceRegistry::remove");
     requireNonNull(body, "ForceRegistry::remove", "the body must not be null");
-    for (std::size_t n = registrations.size(); n-- > 0;)
-        if (registrations[n].body == body) erase(n);
+    for (Registrations::Role role : {Registrations::BODY, Registrations::OTHER_BODY})
+        for (std::size_t n; (n = registrations->first(role, body)) != Registrations::NONE;) end(n);
 }
 
-void ForceRegistry::erase(std::size_t index) {
-    if (!registrations[index].actsOnItsBodyOnly) --outreachingCount;
-    if (updating) {
-        registrations[index].body = nullptr;
-        ++removedCount;
-    } else {
-        registrations.erase(registrations.begin() + static_cast<std::ptrdiff_t>(index));
-        scheduleIsCurrent = false;
-    }
+void ForceRegistry::remove(ForceGenerator *generator) {
+    requireNotParallel("ForceRegistry::remove");
+    requireNonNull(generator, "ForceRegistry::remove", "the generator must not be null");
+    for (std::size_t n;
+         (n = registrations->first(Registrations::GENERATOR, generator)) != Registrations::NONE;)
+        end(n);
 }
 
 void ForceRegistry::clear() {
-    require(!updating, "ForceRegistry::clear", "a generator may not clear the registry");
-    registrations.clear();
-    outreachingCount = 0;
-    scheduleIsCurrent = false;
+    require(phase == Phase::IDLE, "ForceRegistry::clear", "a generator may not clear the registry");
+    phase = Phase::SERIAL;  // everything stays in place meanwhile
+    for (std::size_t n = 0; n < registrations->getEnd(); ++n)
+        if (!registrations->isGap(n)) end(n);
+    registrations->clear();
+    phase = Phase::IDLE;
+    deleteEndedGenerators();
 }
 
-/// Keeps the registrations in place while generators are called, and sweeps out the removed ones at the end.
+void ForceRegistry::end(std::size_t index) {
+    ForceGenerator *const generator = (*registrations)[index].generator;
+    const RegistrationDetails its = registrations->getDetails(index);
+    registrations->erase(index);
+    revision = ++changes;
+    if (phase == Phase::IDLE && registrations->areGapsMany()) registrations->closeGaps();
+    if (its.isOwned && registrations->first(Registrations::GENERATOR, generator) == Registrations::NONE)
+        endGenerator(generator, its.born);
+}
+
+// ---- The end of generators
+
+bool ForceRegistry::mayComeBack(std::uint64_t born, std::uint64_t died) const {
+    return history != nullptr && history->needs(born, died);
+}
+
+/// At once, unless it may be running now, or come back.
+void ForceRegistry::endGenerator(ForceGenerator *generator, std::uint64_t born) {
+    std::unique_ptr<ForceGenerator> its(generator);
+    const std::uint64_t died = history != nullptr ? history->now() : 0;
+    --ownedCount;
+    if (phase != Phase::IDLE || mayComeBack(born, died))
+        endedGenerators.push_back({std::move(its), born, died});
+}
+
+/// Whether the generator was the registry's own and has ended, in this very update; now it lives on.
+bool ForceRegistry::revive(ForceGenerator *generator, std::uint64_t &born) {
+    for (EndedGenerator &ended : endedGenerators) {
+        if (ended.generator.get() != generator) continue;
+        born = ended.born;
+        static_cast<void>(ended.generator.release());
+        ++ownedCount;
+        std::swap(ended, endedGenerators.back());
+        endedGenerators.pop_back();
+        return true;
+    }
+    return false;
+}
+
+/// Generators may have destructors that end others.
+void ForceRegistry::deleteEndedGenerators() {
+    for (std::size_t n = 0; n < endedGenerators.size();) {
+        if (mayComeBack(endedGenerators[n].born, endedGenerators[n].died)) {
+            ++n;
+            continue;
+        }
+        const std::unique_ptr<ForceGenerator> last = std::move(endedGenerators[n].generator);
+        std::swap(endedGenerators[n], endedGenerators.back());
+        endedGenerators.pop_back();
+    }
+}
+
+// ---- Calling them
+
+/// Keeps the registrations in place while generators are called.
 class ForceRegistry::Update {
 public:
     Update(ForceRegistry &r, real duration) : registry(r) {
-        require(!registry.updating, "ForceRegistry::updateForces", "a generator may not update the forces");
+        require(registry.phase == Phase::IDLE, "ForceRegistry::updateForces",
+                "a generator may not update the forces");
         requireDuration(duration, "ForceRegistry::updateForces");
-        registry.updating = true;
+        registry.phase = Phase::SERIAL;
     }
     ~Update() {
-        registry.updating = registry.sharing = false;
-        if (registry.removedCount == 0) return;
-        auto &all = registry.registrations;
-        all.erase(
-            std::remove_if(all.begin(), all.end(), [](const Registration &r) { return r.body == nullptr; }),
-            all.end());
-        registry.removedCount = 0;
-        registry.scheduleIsCurrent = false;
+        registry.phase = Phase::IDLE;
+        if (registry.registrations->areGapsMany()) registry.registrations->closeGaps();
+        registry.deleteEndedGenerators();
     }
     Update(const Update &) = delete;
     Update &operator=(const Update &) = delete;
@@ -84,108 +191,97 @@ private:
 
 void ForceRegistry::updateForces(real duration) {
     const Update update(*this, duration);
-    const std::size_t count = registrations.size();
-    for (std::size_t n = 0; n < count; ++n) {
-        if (n + PREFETCH_AHEAD < count) prefetchFor(registrations[n + PREFETCH_AHEAD]);
+    callInOrder(0, registrations->getEnd(), duration);
+}
+
+void ForceRegistry::callInOrder(std::size_t begin, std::size_t end, real duration) {
+    for (std::size_t n = begin; n < end; ++n) {
+        if (n + PREFETCH_AHEAD < end) prefetchFor(n + PREFETCH_AHEAD);
         callGenerator(n, duration);
     }
 }
 
 /// Most generators fit into two cache lines and read a body's transform, velocity and rotation.
-void ForceRegistry::prefetchFor(const Registration &registration) {
-    prefetch(registration.body, offsetof(RigidBody, orientation));
-    prefetch(registration.generator, 128);
+void ForceRegistry::prefetchFor(std::size_t index) const {
+    const Registrations::Call &call = (*registrations)[index];
+    if (call.body == nullptr) return;
+    prefetch(call.body, offsetof(RigidBody, orientation));
+    prefetch(call.generator, 128);
 }
 
 void ForceRegistry::callGenerator(std::size_t index, real duration) {
-    const Registration called = registrations[index];
+    const Registrations::Call called = (*registrations)[index];
     if (called.body == nullptr) return;
 
     /// Tells the body whose forces it is being given. The generator may end its own registration, and the
     /// body with it.
     struct Marker {
-        const ForceRegistry &registry;
+        const Registrations &registrations;
         std::size_t index;
         RigidBody *body;
         bool wasInGenerator;
         ~Marker() {
-            if (registry.registrations[index].body == body) body->marks.inGenerator = wasInGenerator;
+            if (registrations[index].body == body) body->marks.inGenerator = wasInGenerator;
         }
-    } const marker{*this, index, called.body, called.body->marks.inGenerator};
+    } const marker{*registrations, index, called.body, called.body->marks.inGenerator};
     called.body->marks.inGenerator = true;
     called.generator->updateForce(called.body, duration);
 }
 
-/// A part of a run, on one thread; parts meet between two bodies.
-class ForceRegistry::Share : public JobSystem::Job {
+/// A part of a run of generators that act on their body only, on one thread. It takes the bodies whose first
+/// registration in the run is in this part, each with all its registrations in the run.
+class ForceRegistry::ParallelJob : public JobSystem::Job {
 public:
-    static constexpr std::size_t SIZE = 256;
-
-    Share(ForceRegistry &r, std::size_t begin, std::size_t end, real h)
+    ParallelJob(ForceRegistry &r, std::size_t begin, std::size_t end, real h)
         : registry(r), runBegin(begin), runEnd(end), duration(h) {}
 
+    std::size_t getPartCount() const { return (runEnd - runBegin + PARALLEL_PART - 1) / PARALLEL_PART; }
+
     void run(std::size_t part) override {
-        const std::size_t end = boundary(part + 1);
-        for (std::size_t n = boundary(part); n < end; ++n) {
-            if (n + PREFETCH_AHEAD < end)
-                prefetchFor(registry.registrations[registry.schedule[n + PREFETCH_AHEAD].index]);
-            registry.callGenerator(registry.schedule[n].index, duration);
+        const Registrations &registrations = *registry.registrations;
+        const std::size_t begin = runBegin + part * PARALLEL_PART,
+                          end = std::min(begin + PARALLEL_PART, runEnd);
+        for (std::size_t n = begin; n < end; ++n) {
+            if (n + PREFETCH_AHEAD < end) registry.prefetchFor(n + PREFETCH_AHEAD);
+            if (registrations.isGap(n) || !registrations.isFirstOfBodySince(runBegin, n)) continue;
+            for (std::size_t its = n; its < runEnd; its = registrations.next(Registrations::BODY, its))
+                registry.callGenerator(its, duration);
         }
     }
 
 private:
-    std::size_t boundary(std::size_t part) const {
-        std::size_t n = std::min(runBegin + part * SIZE, runEnd);
-        while (n > runBegin && n < runEnd && registry.schedule[n].body == registry.schedule[n - 1].body) ++n;
-        return n;
-    }
-
     ForceRegistry &registry;
-    std::size_t runBegin, runEnd;
-    real duration;
+    const std::size_t runBegin, runEnd;
+    const real duration;
 };
 
 void ForceRegistry::updateForces(real duration, JobSystem &jobs) {
     const Update update(*this, duration);
-    if (!scheduleIsCurrent) renewSchedule();
-    const std::size_t count = schedule.size();
-    for (std::size_t begin = 0; begin < count;) {
-        const std::size_t end = endOfRun(begin);
-        if (registrations[begin].actsOnItsBodyOnly) {
-            Share share(*this, begin, end, duration);
-            sharing = true;
-            jobs.parallelFor((end - begin + Share::SIZE - 1) / Share::SIZE, share);
-            sharing = false;
-        } else {
-            for (std::size_t n = begin; n < end; ++n) callGenerator(n, duration);
+    const std::size_t end = registrations->getEnd();
+    for (std::size_t begin = 0, runEnd; begin < end; begin = runEnd) {
+        runEnd = endOfRun(begin, end);
+        if (!registrations->getDetails(begin).actsOnItsBodyOnly) {
+            callInOrder(begin, runEnd, duration);
+            continue;
         }
-        begin = end;
+        phase = Phase::PARALLEL;
+        ParallelJob job(*this, begin, runEnd, duration);
+        if (runEnd - begin < PARALLEL_MINIMUM)
+            callInOrder(begin, runEnd, duration);
+        else
+            jobs.parallelFor(job.getPartCount(), job);
+        phase = Phase::SERIAL;
     }
 }
 
-std::size_t ForceRegistry::endOfRun(std::size_t begin) const {
-    std::size_t end = begin + 1;
-    while (end < schedule.size() &&
-           registrations[end].actsOnItsBodyOnly == registrations[begin].actsOnItsBodyOnly)
-        ++end;
-    return end;
-}
-
-void ForceRegistry::renewSchedule() {
-    schedule.clear();
-    for (std::size_t n = 0; n < registrations.size(); ++n) schedule.push_back({registrations[n].body, n});
-    for (std::size_t begin = 0; begin < schedule.size();) {
-        const std::size_t end = endOfRun(begin);
-        const auto first = schedule.begin();
-        if (registrations[begin].actsOnItsBodyOnly)
-            std::sort(first + static_cast<std::ptrdiff_t>(begin), first + static_cast<std::ptrdiff_t>(end),
-                      [](const Turn &a, const Turn &b) {
-                          if (a.body != b.body) return std::less<const RigidBody *>()(a.body, b.body);
-                          return a.index < b.index;
-                      });
-        begin = end;
-    }
-    scheduleIsCurrent = true;
+/// The end of the run of registrations that begins here: all of them act on their body only, or none does.
+std::size_t ForceRegistry::endOfRun(std::size_t begin, std::size_t end) const {
+    const bool kind = registrations->getDetails(begin).actsOnItsBodyOnly;
+    if (kind && registrations->getCrossBodyCount() == 0) return end;
+    std::size_t n = begin + 1;
+    while (n < end && (registrations->isGap(n) || registrations->getDetails(n).actsOnItsBodyOnly == kind))
+        ++n;
+    return n;
 }
 
 }  // namespace cyclone

@@ -6,76 +6,54 @@
 #include <utility>
 
 #include "arguments.h"
+#include "growing.h"
+#include "members.h"
+#include "ownedbodies.h"
+#include "parallel.h"
+#include "snapshothistory.h"
 
 namespace cyclone {
 
 using namespace detail;
 
-// ---- Bodies
+World::World()
+    : history(std::make_shared<SnapshotHistory>()),
+      members(std::make_unique<Members>()),
+      ownedBodies(std::make_unique<Bodies>()) {
+    registry.history = history;
+}
 
-/// Slabs of bodies, of growing size; a body's place is used again after its end.
-class World::Bodies {
-public:
-    RigidBody *create() {
-        if (freePlaces.empty()) addSlab();
-        RigidBody *body = freePlaces.back();
-        freePlaces.pop_back();
-        *body = RigidBody();
-        return body;
-    }
-    bool owns(const RigidBody *body) const {
-        return std::any_of(slabs.begin(), slabs.end(), [body](const Slab &slab) {
-            const std::less<const RigidBody *> before;
-            return !before(body, slab.bodies.get()) && before(body, slab.bodies.get() + slab.size);
-        });
-    }
-    void destroy(RigidBody *body) { freePlaces.push_back(body); }
-
-private:
-    struct Slab {
-        std::unique_ptr<RigidBody[]> bodies;
-        std::size_t size;
-    };
-
-    /// As large as all before it together. Its places are taken from the first to the last.
-    void addSlab() {
-        const std::size_t size = std::max<std::size_t>(64, placeCount);
-        freePlaces.reserve(placeCount + size);
-        slabs.push_back({std::make_unique<RigidBody[]>(size), size});
-        placeCount += size;
-        for (std::size_t n = size; n-- > 0;) freePlaces.push_back(&slabs.back().bodies[n]);
-    }
-
-    std::vector<Slab> slabs;
-    std::size_t placeCount = 0;
-    std::vector<RigidBody *> freePlaces;
-};
-
-World::World() : ownedBodies(std::make_unique<Bodies>()) {}
 World::~World() = default;
 
-void World::requireUnshared(const char *function) const {
-    require(!registry.isShared(), function,
+void World::requireNotParallel(const char *function) const {
+    require(registry.phase != ForceRegistry::Phase::PARALLEL, function,
             "a generator that acts on its body only may not change the bodies");
 }
 
 void World::requireIdle(const char *function) const {
-    require(!registry.isUpdating(), function, "a generator may not call this");
+    require(registry.phase == ForceRegistry::Phase::IDLE, function, "a generator may not call this");
 }
+
+// ---- Bodies
+
+const World::RigidBodies &World::getBodies() const { return members->getList().bodies; }
 
 void World::addBody(RigidBody *body) {
     requireNonNull(body, "World::addBody", "the body must not be null");
-    requireUnshared("World::addBody");
-    require(members.count(body) == 0, "World::addBody", "the body must not be in the world already");
-    bodies.push_back(body);
-    faultedBodies.reserve(bodies.capacity());
-    members.insert(body);
+    requireNotParallel("World::addBody");
+    require(!members->contains(body), "World::addBody", "the body must not be in the world already");
+    members->reserveOneMore();
+    faultedBodies.reserve(members->getBodiesAndGaps().capacity());
+    append(body);
 }
 
 RigidBody *World::createBody() {
-    requireUnshared("World::createBody");
-    RigidBody *body = ownedBodies->create();
-    addBody(body);
+    requireNotParallel("World::createBody");
+    members->reserveOneMore();
+    faultedBodies.reserve(members->getBodiesAndGaps().capacity());
+    reserveGrowing(endedBodies, ownedBodies->getCount() + 1);
+    RigidBody *const body = ownedBodies->create();
+    append(body);
     return body;
 }
 
@@ -83,50 +61,122 @@ bool World::removeBody(RigidBody *body) {
     requireNonNull(body, "World::removeBody", "the body must not be null");
     require(!ownedBodies->owns(body), "World::removeBody",
             "a body that the world created is ended by destroyBody");
-    if (members.count(body) == 0) return false;
-    takeOut(body);
+    if (!members->contains(body)) return false;
+    detach(body);
     return true;
 }
 
 void World::destroyBody(RigidBody *body) {
     requireNonNull(body, "World::destroyBody", "the body must not be null");
-    require(members.count(body) == 1 && ownedBodies->owns(body), "World::destroyBody",
+    require(members->contains(body) && ownedBodies->owns(body), "World::destroyBody",
             "the body must have been created by this world");
-    takeOut(body);
-    ownedBodies->destroy(body);
+    const std::uint64_t born = members->whenBorn(body);
+    detach(body);
+    endBody(body, born);
 }
 
-void World::takeOut(RigidBody *body) {
+void World::clear() {
+    requireIdle("World::clear");
+    registry.clear();
+    faultedBodies.clear();
+    const Members::List &list = members->getList();
+    for (std::size_t n = 0; n < list.bodies.size(); ++n)
+        if (ownedBodies->owns(list.bodies[n])) endBody(list.bodies[n], list.born[n]);
+    members->clear();
+    memberRevision = ++memberChanges;
+}
+
+/// There must be room for it.
+void World::append(RigidBody *body) {
+    members->append(body, history->now());
+    memberRevision = ++memberChanges;
+}
+
+void World::detach(RigidBody *body) {
     registry.remove(body);
     body->marks.inGenerator = false;
-    members.erase(body);
-    bodies.erase(std::find(bodies.begin(), bodies.end(), body));
-    faultedBodies.erase(std::remove(faultedBodies.begin(), faultedBodies.end(), body), faultedBodies.end());
+    const auto isBefore = [this](const RigidBody *a, const RigidBody *b) {
+        return members->getNumber(a) < members->getNumber(b);
+    };
+    const auto listed = std::lower_bound(faultedBodies.begin(), faultedBodies.end(), body, isBefore);
+    if (listed != faultedBodies.end() && *listed == body) faultedBodies.erase(listed);
+    members->erase(body);
+    memberRevision = ++memberChanges;
+}
+
+/// For good, unless a snapshot may bring it back.
+void World::endBody(RigidBody *body, std::uint64_t born) {
+    if (history->needs(born, history->now()))
+        endedBodies.push_back({body, born, history->now()});
+    else
+        ownedBodies->destroy(body);
+}
+
+void World::freeEndedBodies() {
+    const auto end = std::remove_if(endedBodies.begin(), endedBodies.end(), [this](const EndedBody &ended) {
+        if (history->needs(ended.born, ended.died)) return false;
+        ownedBodies->destroy(ended.body);
+        return true;
+    });
+    endedBodies.erase(end, endedBodies.end());
+}
+
+// ---- Forces
+
+void World::ownForce(std::unique_ptr<ForceGenerator> force, RigidBody *body, RigidBody *other,
+                     const char *function) {
+    requireNonNull(body, function, "the body must not be null");
+    requireNotParallel(function);
+    require(members->contains(body) && (other == nullptr || members->contains(other)), function,
+            "the body must be in the world");
+    registry.own(std::move(force), body, other);
+}
+
+void World::destroyForce(ForceGenerator &force) {
+    require(registry.isOwned(&force), "World::destroyForce",
+            "the generator must have been created by this world");
+    registry.remove(&force);
 }
 
 // ---- A frame
 
 void World::startFrame() {
     requireIdle("World::startFrame");
-    for (RigidBody *body : bodies) body->clearAccumulators();
+    for (RigidBody *body : members->getBodiesAndGaps())
+        if (body != nullptr) body->clearAccumulators();
 }
 
-/// While generators that may act on any body are called, whatever is added is theirs.
+/// While generators that may act on any body are called, whatever is added is theirs. If one throws, it is
+/// taken back.
 class World::ForcesOnAll {
 public:
-    explicit ForcesOnAll(World &w) : world(w), needed(w.registry.hasOutreachingGenerators()) { mark(true); }
-    ~ForcesOnAll() { mark(false); }
+    explicit ForcesOnAll(World &w) : world(w), needed(w.registry.hasCrossBodyGenerators()) { mark(true); }
+    ~ForcesOnAll() {
+        mark(false);
+        if (!complete) takeBack();
+    }
     ForcesOnAll(const ForcesOnAll &) = delete;
     ForcesOnAll &operator=(const ForcesOnAll &) = delete;
+
+    void setComplete() { complete = true; }
 
 private:
     void mark(bool inGenerator) {
         if (!needed) return;
-        for (RigidBody *body : world.bodies) body->marks.inGenerator = inGenerator;
+        for (RigidBody *body : world.members->getBodiesAndGaps())
+            if (body != nullptr) body->marks.inGenerator = inGenerator;
+    }
+    void takeBack() {
+        for (RigidBody *body : world.members->getBodiesAndGaps()) {
+            if (body == nullptr) continue;
+            body->generated = Wrench();
+            body->hasGenerated = false;
+        }
     }
 
     World &world;
     const bool needed;
+    bool complete = false;
 };
 
 void World::runPhysics(real duration) {
@@ -137,63 +187,63 @@ void World::runPhysics(real duration) {
 }
 
 void World::updateForces(real duration) {
-    const ForcesOnAll forces(*this);
+    ForcesOnAll forces(*this);
     if (jobs != nullptr)
         registry.updateForces(duration, *jobs);
     else
         registry.updateForces(duration);
+    forces.setComplete();
 }
 
 /// Advances a part of the bodies, on one thread.
-class World::Advance : public JobSystem::Job {
+class World::IntegrateJob : public JobSystem::Job {
 public:
-    static constexpr std::size_t SIZE = 256;
+    IntegrateJob(const RigidBodies &all, real h) : bodies(all), duration(h) {}
 
-    Advance(const RigidBodies &all, real h) : bodies(all), duration(h) {}
-
-    void run(std::size_t part) override {
-        const std::size_t begin = part * SIZE;
-        const std::size_t count = std::min(SIZE, bodies.size() - begin);
-        if (RigidBody::integrate(bodies.data() + begin, count, duration) > 0) anyFault = true;
-    }
+    std::size_t getPartCount() const { return (bodies.size() + PARALLEL_PART - 1) / PARALLEL_PART; }
     bool hasAnyFault() const { return anyFault; }
 
+    void run(std::size_t part) override {
+        const std::size_t end = std::min((part + 1) * PARALLEL_PART, bodies.size());
+        for (std::size_t begin = part * PARALLEL_PART, runEnd; begin < end; begin = runEnd + 1) {
+            runEnd = begin;
+            while (runEnd < end && bodies[runEnd] != nullptr) ++runEnd;  // up to a gap
+            if (RigidBody::integrate(bodies.data() + begin, runEnd - begin, duration) > 0) anyFault = true;
+        }
+    }
+
 private:
-    const RigidBodies &bodies;
-    real duration;
+    const RigidBodies &bodies;  ///< and gaps
+    const real duration;
     std::atomic<bool> anyFault{false};
 };
 
 void World::integrate(real duration) {
     requireIdle("World::integrate");
     requireDuration(duration, "World::integrate");
-    Advance advance(bodies, duration);
-    const std::size_t parts = (bodies.size() + Advance::SIZE - 1) / Advance::SIZE;
-    if (jobs != nullptr)
-        jobs->parallelFor(parts, advance);
+    IntegrateJob job(members->getBodiesAndGaps(), duration);
+
+    /// Also when a job has thrown.
+    struct AtEnd {
+        World &world;
+        const IntegrateJob &job;
+        ~AtEnd() {
+            world.listFaultedBodies(job.hasAnyFault());
+            world.freeEndedBodies();
+        }
+    } const atEnd{*this, job};
+    if (jobs != nullptr && members->size() >= PARALLEL_MINIMUM)
+        jobs->parallelFor(job.getPartCount(), job);
     else
-        for (std::size_t part = 0; part < parts; ++part) advance.run(part);
-    listFaultedBodies(advance.hasAnyFault());
+        for (std::size_t part = 0; part < job.getPartCount(); ++part) job.run(part);
 }
 
 void World::listFaultedBodies(bool anyNew) {
-    const auto isSound = [](const RigidBody *body) { return !body->hasFaulted(); };
-    if (anyNew) faultedBodies = bodies;
+    const auto isSound = [](const RigidBody *body) { return body == nullptr || !body->hasFaulted(); };
+    if (anyNew) faultedBodies = members->getBodiesAndGaps();
     faultedBodies.erase(std::remove_if(faultedBodies.begin(), faultedBodies.end(), isSound),
                         faultedBodies.end());
 }
-
-// ---- Saving and restoring
-
-void World::saveState(Snapshot &snapshot) const { writeSnapshot(bodies.data(), bodies.size(), snapshot); }
-
-void World::restoreState(const Snapshot &snapshot) {
-    requireIdle("World::restoreState");
-    readSnapshot(snapshot, bodies.data(), bodies.size(), "World::restoreState");
-    listFaultedBodies(true);
-}
-
-std::uint64_t World::hash() const { return hashStates(bodies.data(), bodies.size()); }
 
 // ---- Threads
 

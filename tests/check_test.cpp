@@ -310,7 +310,7 @@ const BadCall WORLD[] = {
     {"ForceRegistry::remove", "generator must not be null", "",
      [](Scene &s) { s.world.getForceRegistry().remove(&s.body, nullptr); }},
     {"ForceRegistry::remove", "body must not be null", "",
-     [](Scene &s) { s.world.getForceRegistry().remove(nullptr); }},
+     [](Scene &s) { s.world.getForceRegistry().remove(static_cast<RigidBody *>(nullptr)); }},
     {"ForceRegistry::updateForces", "not negative", "-1",
      [](Scene &s) { s.world.getForceRegistry().updateForces(-1); }},
     {"ForceRegistry::updateForces", "finite", "nan",

@@ -4,6 +4,7 @@
 
 #include <array>
 #include <atomic>
+#include <chrono>
 #include <memory>
 #include <stdexcept>
 #include <thread>
@@ -72,6 +73,28 @@ TEST(Workers, PassAnExceptionOnAndGoOn) {
     }
 }
 
+TEST(Workers, RunALoopWithinALoopToTheEnd) {
+    struct Outer : JobSystem::Job {
+        explicit Outer(Workers &w) : workers(w) {}
+        Workers &workers;
+        std::atomic<int> runs{0};
+        void run(std::size_t) override {
+            Counting inner(37);
+            workers.parallelFor(37, inner);
+            for (const std::atomic<int> &run : inner.runs) runs += run;
+        }
+    };
+    for (std::size_t threads : {1U, 3U}) {
+        Workers workers(threads);
+        Outer outer(workers);
+        workers.parallelFor(100, outer);
+        EXPECT_EQ(outer.runs, 3700) << threads << " threads";
+        Counting after(100);
+        workers.parallelFor(100, after);
+        for (const std::atomic<int> &runs : after.runs) EXPECT_EQ(runs, 1);
+    }
+}
+
 // ---- A world with a bit of everything
 
 /// An elastic band that pulls its body and another at once.
@@ -99,7 +122,7 @@ public:
 
 class RichScene {
 public:
-    static constexpr std::size_t SIZE = 900;
+    static constexpr std::size_t SIZE = 4500;  ///< enough to be shared out
 
     World world;
 
@@ -112,11 +135,11 @@ public:
             RigidBody *body = bodies[n], *next = bodies[(n + 1) % SIZE], *far = bodies[(7 * n + 3) % SIZE];
             registry.add(body, &gravity);
             registry.add(body, keep<Spring>(random.vector(), next, random.vector(), 5.0, 1.0));
-            if (n % 60 == 0) registry.add(body, keep<Band>(far));
+            if (n % 1500 == 0) registry.add(body, keep<Band>(far));
             registry.add(body, &wing);
             registry.add(body, &drag);
             if (n % 50 == 17) registry.add(body, &poison);
-            if (n % 90 == 11) registry.add(far, keep<Band>(body));
+            if (n % 1500 == 11) registry.add(far, keep<Band>(body));
         }
         // One body with more registrations than a share of the work holds.
         for (int n = 0; n < 700; ++n)
@@ -196,6 +219,56 @@ TEST(WorldOnThreads, GivesTheSameBitsInAnyOrderOfTheParts) {
     EXPECT_GT(backwards.longest, 2U);
 }
 
+/// Two threads meet in a frame: each call waits for one on another thread, for ten seconds at most.
+TEST(WorldOnThreads, TwoWorkersAreTwoThreads) {
+    class Meeting : public ForceGenerator {
+    public:
+        void updateForce(RigidBody *, real) override {
+            const std::thread::id none, self = std::this_thread::get_id();
+            std::thread::id seen = none;
+            if (first.compare_exchange_strong(seen, self) || seen == self) {
+                while (!hasMet && std::chrono::steady_clock::now() < deadline) std::this_thread::yield();
+            } else {
+                hasMet = true;
+            }
+        }
+        bool actsOnItsBodyOnly() const override { return true; }
+        std::atomic<bool> hasMet{false};
+
+    private:
+        std::atomic<std::thread::id> first{};
+        const std::chrono::steady_clock::time_point deadline =
+            std::chrono::steady_clock::now() + std::chrono::seconds(10);
+    } meeting;
+    World world;
+    world.setWorkers(2);
+    for (int n = 0; n < 5000; ++n) world.getForceRegistry().add(world.createBody(), &meeting);
+    world.runPhysics(STEP);
+    EXPECT_TRUE(meeting.hasMet);
+}
+
+TEST(WorldOnThreads, SmallWorldsStayOnTheCallersThread) {
+    class Counted : public JobSystem {
+    public:
+        int loops = 0;
+        void parallelFor(std::size_t count, Job &job) override {
+            ++loops;
+            for (std::size_t n = 0; n < count; ++n) job.run(n);
+        }
+    } counted;
+    Gravity gravity;
+    for (int size : {1000, 5000}) {
+        World world;
+        world.setJobSystem(&counted);
+        for (int n = 0; n < size; ++n) world.getForceRegistry().add(world.createBody(), &gravity);
+        counted.loops = 0;
+        world.runPhysics(STEP);
+        EXPECT_EQ(counted.loops, size == 1000 ? 0 : 2) << "one for the forces, one for the steps";
+        for (const RigidBody *body : world.getBodies())
+            ASSERT_NEAR(body->getVelocity().y, -9.81 * STEP, 1e-15);
+    }
+}
+
 TEST(WorldOnThreads, MayChangeItsJobSystemAtAnyTime) {
     RichScene scene;
     Backwards backwards;
@@ -253,7 +326,7 @@ protected:
 
 struct Trapped : testing::Test {
     World world;
-    std::size_t size = 1000;
+    std::size_t size = 5000;
 
     Trapped() {
         for (std::size_t n = 0; n < size; ++n) world.createBody();

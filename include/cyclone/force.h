@@ -6,6 +6,8 @@
 #include <cyclone/body.h>
 
 #include <cstddef>
+#include <cstdint>
+#include <memory>
 #include <vector>
 
 namespace cyclone {
@@ -29,6 +31,11 @@ public:
     /// for different bodies at once by World's workers. It may read whatever no generator changes.
     virtual bool actsOnItsBodyOnly() const { return false; }
 
+    /// The body that ties this generator to another than the one it acts on, such as the far end of a spring;
+    /// null: none. It is asked when the generator is registered for `body`. The registration ends when the
+    /// other body leaves the World.
+    virtual const RigidBody *getOtherBody(const RigidBody * /*body*/) const { return nullptr; }
+
 protected:
     ForceGenerator() = default;
     ForceGenerator(const ForceGenerator &) = default;
@@ -36,64 +43,87 @@ protected:
 };
 
 class JobSystem;
+namespace detail {
+class Registrations;
+struct RegistrationDetails;
+class SnapshotHistory;
+}  // namespace detail
 
-/// Which generator acts on which body. It owns neither: a body or generator must be taken out, or the
-/// registry cleared, before its life ends. (A World takes care of the bodies that are removed from it.)
+/// Which generator acts on which body. It owns neither, save for the generators that a World creates in it: a
+/// body or generator must be taken out, or the registry cleared, before its life ends. (A World does so with
+/// the bodies that leave it.) A body that is registered but in no world piles up forces until its
+/// integrate() or clearAccumulators() is called.
+///
+/// Adding and removing takes time in proportion to the registrations of the body or generator, whatever the
+/// number of others.
 class CYCLONE_API ForceRegistry {
 public:
+    ForceRegistry();
+    ~ForceRegistry();
+    ForceRegistry(const ForceRegistry &) = delete;
+    ForceRegistry &operator=(const ForceRegistry &) = delete;
+
     /// Lets the generator act on the body from now on. Added twice, it acts twice.
     void add(RigidBody *body, ForceGenerator *generator);
-    /// Ends the oldest such registration; without one, nothing happens. Generators and bodies stay alive.
+    /// Ends the oldest such registration; without one, nothing happens. Bodies and generators stay alive, but
+    /// a generator that a World has created ends with its last registration.
     void remove(RigidBody *body, ForceGenerator *generator);
-    /// Ends all registrations of the body.
+    /// Ends all registrations of the body, and those whose generator has it as the other body.
     void remove(RigidBody *body);
-    /// Ends all registrations. Touches neither bodies nor generators.
+    /// Ends all registrations of the generator.
+    void remove(ForceGenerator *generator);
+    /// Ends all registrations. Touches neither bodies nor the caller's generators.
     void clear();
 
     /// Calls every generator, in the order of adding. A generator may add and remove registrations meanwhile:
     /// what it removes is not called any more, what it adds is called from the next time on. It may not call
-    /// updateForces or clear.
+    /// updateForces or clear. If it throws, the others are not called, and what has been added to bodies so
+    /// far stays there (World::runPhysics takes it back).
     void updateForces(real duration);
     /// The same, with generators that act on their body only shared out over the job system's threads; those
     /// may not change registrations. Each body's forces are added in the same order as ever, so the bits are
     /// the same.
     void updateForces(real duration, JobSystem &jobs);
 
-    std::size_t size() const { return registrations.size() - removedCount; }
-    /// Whether some generator may act on other bodies than the one it is called for.
-    bool hasOutreachingGenerators() const { return outreachingCount > 0; }
-    /// Whether generators are being called now.
-    bool isUpdating() const { return updating; }
-    /// Whether several threads call them: neither registrations nor a world's bodies may change then.
-    bool isShared() const { return sharing; }
+    std::size_t size() const;
 
 private:
-    struct Registration {
-        RigidBody *body;  ///< null: removed during updateForces
-        ForceGenerator *generator;
-        bool actsOnItsBodyOnly;  ///< as the generator said when it was added
-    };
-    /// The registrations in the order in which threads take them: runs of such that act on their body only,
-    /// sorted by body within a run.
-    struct Turn {
-        RigidBody *body;
-        std::size_t index;
-    };
+    friend class World;
+
+    enum class Phase { IDLE, SERIAL, PARALLEL };
     class Update;
-    class Share;
+    class ParallelJob;
+    /// A generator of the registry's own after its last registration.
+    struct EndedGenerator {
+        std::unique_ptr<ForceGenerator> generator;
+        std::uint64_t born, died;
+    };
 
-    static void prefetchFor(const Registration &registration);
+    void prefetchFor(std::size_t index) const;
     void callGenerator(std::size_t index, real duration);
-    void erase(std::size_t index);
-    void renewSchedule();
-    std::size_t endOfRun(std::size_t begin) const;
+    void callInOrder(std::size_t begin, std::size_t end, real duration);
+    std::size_t endOfRun(std::size_t begin, std::size_t end) const;
 
-    std::vector<Registration> registrations;
-    std::vector<Turn> schedule;
-    bool scheduleIsCurrent = true;
-    bool updating = false, sharing = false;
-    std::size_t removedCount = 0;  ///< nulls among the registrations
-    std::size_t outreachingCount = 0;
+    bool hasCrossBodyGenerators() const;
+    void requireNotParallel(const char *function) const;
+    void own(std::unique_ptr<ForceGenerator> generator, RigidBody *body, RigidBody *second);
+    bool isOwned(const ForceGenerator *generator) const;
+    static detail::RegistrationDetails describe(const RigidBody *body, const ForceGenerator *generator);
+    void append(RigidBody *body, ForceGenerator *generator, const detail::RegistrationDetails &its);
+    void end(std::size_t index);
+    void endGenerator(ForceGenerator *generator, std::uint64_t born);
+    bool revive(ForceGenerator *generator, std::uint64_t &born);
+    void deleteEndedGenerators();
+    void restore(const detail::Registrations &then);
+    bool mayComeBack(std::uint64_t born, std::uint64_t died) const;
+
+    std::unique_ptr<detail::Registrations> registrations;
+    std::uint64_t changes = 0;   ///< so far
+    std::uint64_t revision = 0;  ///< another number after each change
+    Phase phase = Phase::IDLE;
+    std::size_t ownedCount = 0;
+    std::vector<EndedGenerator> endedGenerators;       ///< room for all that are owned
+    std::shared_ptr<detail::SnapshotHistory> history;  ///< null: nothing comes back
 };
 
 /// Gravity as a force: mass·acceleration. For most games RigidBody::setAcceleration does the same for less.
@@ -124,26 +154,40 @@ private:
 
 /// A spring from a point of the body to a point of another: along the line d between them −k(|d| − L)·d/|d|,
 /// pulling when stretched, pushing when compressed; at zero length no force. It acts on the body that it is
-/// registered for; register its mirror image for the other.
+/// registered for. For the other, register its mirror image, or tell the constructor both bodies and register
+/// it for both; World::createSpring does so.
 class CYCLONE_API Spring : public ForceGenerator {
 public:
     /// Points in body coordinates, `other` not null and alive as long as the spring acts, springConstant k in
     /// N/m and restLength L in m, finite and not negative.
     Spring(const Vector3 &connectionPoint, const RigidBody *other, const Vector3 &otherConnectionPoint,
            real springConstant, real restLength);
+    /// Between two different bodies, to be registered for one of them or both.
+    Spring(const RigidBody *body, const Vector3 &connectionPoint, const RigidBody *other,
+           const Vector3 &otherConnectionPoint, real springConstant, real restLength);
+
+    const RigidBody *getOtherBody(const RigidBody *body) const override;
     void updateForce(RigidBody *body, real duration) override;
     bool actsOnItsBodyOnly() const override { return true; }
 
 protected:
-    /// For derived classes: `function` is whose arguments they are.
-    Spring(const char *function, const Vector3 &connectionPoint, const RigidBody *other,
-           const Vector3 &otherConnectionPoint, real springConstant, real restLength);
+    /// For derived classes: `function` is whose arguments they are, and a null body one that is not told.
+    Spring(const char *function, const RigidBody *body, const Vector3 &connectionPoint,
+           const RigidBody *other, const Vector3 &otherConnectionPoint, real springConstant, real restLength);
+    /// The point of the body where it acts, body coordinates.
+    Vector3 getPointOn(const RigidBody &body) const;
     /// From the other body's point to this body's, world coordinates.
-    Vector3 getSpan(const RigidBody &body) const;
+    Vector3 getSeparation(const RigidBody &body) const;
 
+private:
+    bool isOther(const RigidBody &body) const { return &body == other && firstBody != nullptr; }
+
+    const RigidBody *firstBody;  ///< null: whichever it is registered for
     Vector3 connectionPoint;
     const RigidBody *other;
     Vector3 otherConnectionPoint;
+
+protected:
     real springConstant, restLength;
 };
 
@@ -153,6 +197,8 @@ public:
     /// As Spring.
     Bungee(const Vector3 &connectionPoint, const RigidBody *other, const Vector3 &otherConnectionPoint,
            real springConstant, real restLength);
+    Bungee(const RigidBody *body, const Vector3 &connectionPoint, const RigidBody *other,
+           const Vector3 &otherConnectionPoint, real springConstant, real restLength);
     void updateForce(RigidBody *body, real duration) override;
 };
 

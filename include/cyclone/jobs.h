@@ -32,7 +32,8 @@ protected:
     JobSystem &operator=(const JobSystem &) = default;
 };
 
-/// Threads that wait between frames. One caller at a time.
+/// Threads that wait between frames. While they are at work, another parallelFor, such as one within a job,
+/// runs all its parts on the thread that calls it.
 class CYCLONE_API Workers : public JobSystem {
 public:
     static constexpr std::size_t MAX_THREADS = 256;

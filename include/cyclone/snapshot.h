@@ -6,14 +6,32 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <vector>
 
 namespace cyclone {
 
-/// The states of some bodies, to keep, to write to a file or to send over a network. Numbers are
-/// little-endian, reals their IEEE bits: a mark and version, the number of bodies, the states, and a checksum
-/// over all of it.
-typedef std::vector<std::uint8_t> Snapshot;
+namespace detail {
+struct WorldStructure;
+}
+
+/// The states of some bodies, to keep, to write to a file or to send over a network: bytes, in which numbers
+/// are little-endian, reals their IEEE bits: a mark and version, the number of bodies, the states, and a
+/// checksum over all of it.
+///
+/// One that a World has saved also remembers which bodies, generators and registrations the world had, so
+/// that the same world can return to it after some have come and gone. That memory goes along when a Snapshot
+/// is copied, but is not in its bytes.
+class CYCLONE_API Snapshot : public std::vector<std::uint8_t> {
+public:
+    using std::vector<std::uint8_t>::vector;
+    Snapshot() = default;
+
+private:
+    friend class World;
+    std::shared_ptr<detail::WorldStructure> structure;
+    std::uint64_t structureChecksum = 0;  ///< of the bytes that it belongs to
+};
 
 /// Replaces the snapshot's content; allocates only where it has been smaller.
 CYCLONE_API void writeSnapshot(RigidBody *const *bodies, std::size_t count, Snapshot &snapshot);
