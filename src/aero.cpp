@@ -7,14 +7,14 @@ namespace cyclone {
 using namespace detail;
 
 Aero::Aero(const char *function, const Matrix3 &a, const Vector3 &p, const Vector3 *windspeedAddress)
-    : tensor(a), position(p), windspeed(windspeedAddress) {
+    : PointForce(function, p), tensor(a), windspeed(windspeedAddress) {
     requireFinite(a, function, "the tensor must be finite");
-    requireFinite(p, function, "the position must be finite");
 }
 
 Aero::Aero(const Matrix3 &a, const Vector3 &p, const Vector3 *windspeedAddress)
     : Aero("Aero::Aero", a, p, windspeedAddress) {}
 
+// As PointForce does, but here compilers see which getForce it is likely to be, and build it in.
 void Aero::updateForce(RigidBody *body, real) { body->addForceAtBodyPoint(getForce(*body), position); }
 
 AeroControl::AeroControl(const Matrix3 &atZero, const Matrix3 &atMinusOne, const Matrix3 &atOne,

@@ -6,12 +6,20 @@ namespace cyclone {
 
 using namespace detail;
 
+PointForce::PointForce(const char *function, const Vector3 &p) : position(p) {
+    requireFinite(p, function, "the position must be finite");
+}
+
+PointForce::PointForce(const Vector3 &p) : PointForce("PointForce::PointForce", p) {}
+
+void PointForce::updateForce(RigidBody *body, real) { body->addForceAtBodyPoint(getForce(*body), position); }
+
 Gravity::Gravity(const Vector3 &a) : acceleration(a) {
     requireFinite(a, "Gravity::Gravity", "the acceleration must be finite");
 }
 
-void Gravity::updateForce(RigidBody *body, real) {
-    if (body->hasFiniteMass()) body->addForce(acceleration * body->getMass());
+Vector3 Gravity::getForce(const RigidBody &body) const {
+    return body.hasFiniteMass() ? acceleration * body.getMass() : Vector3();
 }
 
 Drag::Drag(real linear, real quadratic) : k1(linear), k2(quadratic) {
@@ -19,16 +27,14 @@ Drag::Drag(real linear, real quadratic) : k1(linear), k2(quadratic) {
     requireNotNegative(k2, "Drag::Drag", "k2 must be finite and not negative");
 }
 
-void Drag::updateForce(RigidBody *body, real) {
-    const Vector3 velocity = body->getVelocity();
-    body->addForce(velocity * -(k1 + k2 * velocity.magnitude()));
+Vector3 Drag::getForce(const RigidBody &body) const {
+    const Vector3 velocity = body.getVelocity();
+    return velocity * -(k1 + k2 * velocity.magnitude());
 }
 
 namespace {
 
-void requireSpring(const Vector3 &connectionPoint, const Vector3 &otherEnd, real springConstant,
-                   real restLength, const char *function) {
-    requireFinite(connectionPoint, function, "the connection point must be finite");
+void requireSpring(const Vector3 &otherEnd, real springConstant, real restLength, const char *function) {
     requireFinite(otherEnd, function, "the other end must be finite");
     requireNotNegative(springConstant, function, "the spring constant must be finite and not negative");
     requireNotNegative(restLength, function, "the rest length must be finite and not negative");
@@ -45,13 +51,13 @@ Vector3 springForce(const Vector3 &d, real springConstant, real restLength) {
 
 Spring::Spring(const char *function, const RigidBody *body, const Vector3 &point, const RigidBody *otherBody,
                const Vector3 &otherPoint, real constant, real length)
-    : firstBody(body),
-      connectionPoint(point),
+    : PointForce(function, point),
+      firstBody(body),
       other(requireNonNull(otherBody, function, "the other body must not be null")),
       otherConnectionPoint(otherPoint),
       springConstant(constant),
       restLength(length) {
-    requireSpring(point, otherPoint, constant, length, function);
+    requireSpring(otherPoint, constant, length, function);
     require(body != otherBody, function, "the two bodies must be different");
 }
 
@@ -78,27 +84,29 @@ const RigidBody *Spring::getOtherBody(const RigidBody *body) const {
 }
 
 Vector3 Spring::getPointOn(const RigidBody &body) const {
-    return isOther(body) ? otherConnectionPoint : connectionPoint;
+    return isOther(body) ? otherConnectionPoint : position;
 }
 
 Vector3 Spring::getSeparation(const RigidBody &body) const {
     const RigidBody &far = *getOtherBody(&body);
-    const Vector3 &farPoint = isOther(body) ? connectionPoint : otherConnectionPoint;
+    const Vector3 &farPoint = isOther(body) ? position : otherConnectionPoint;
     return body.getPointInWorldSpace(getPointOn(body)) - far.getPointInWorldSpace(farPoint);
 }
 
-void Spring::updateForce(RigidBody *body, real) {
-    body->addForceAtBodyPoint(springForce(getSeparation(*body), springConstant, restLength),
-                              getPointOn(*body));
+Vector3 Spring::getForce(const RigidBody &body) const {
+    return springForce(getSeparation(body), springConstant, restLength);
 }
 
-void Bungee::updateForce(RigidBody *body, real duration) {
-    if (getSeparation(*body).magnitude() > restLength) Spring::updateForce(body, duration);
+Vector3 Bungee::getForce(const RigidBody &body) const {
+    return getSeparation(body).magnitude() > restLength ? Spring::getForce(body) : Vector3();
 }
 
 AnchoredSpring::AnchoredSpring(const Vector3 &point, const Vector3 &worldAnchor, real constant, real length)
-    : connectionPoint(point), anchor(worldAnchor), springConstant(constant), restLength(length) {
-    requireSpring(point, worldAnchor, constant, length, "AnchoredSpring::AnchoredSpring");
+    : PointForce("AnchoredSpring::AnchoredSpring", point),
+      anchor(worldAnchor),
+      springConstant(constant),
+      restLength(length) {
+    requireSpring(worldAnchor, constant, length, "AnchoredSpring::AnchoredSpring");
 }
 
 void AnchoredSpring::setAnchor(const Vector3 &worldPoint) {
@@ -106,9 +114,8 @@ void AnchoredSpring::setAnchor(const Vector3 &worldPoint) {
     anchor = worldPoint;
 }
 
-void AnchoredSpring::updateForce(RigidBody *body, real) {
-    const Vector3 span = body->getPointInWorldSpace(connectionPoint) - anchor;
-    body->addForceAtBodyPoint(springForce(span, springConstant, restLength), connectionPoint);
+Vector3 AnchoredSpring::getForce(const RigidBody &body) const {
+    return springForce(body.getPointInWorldSpace(position) - anchor, springConstant, restLength);
 }
 
 }  // namespace cyclone
