@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "support/random.h"
+#include "random.h"
 
 using namespace cyclone;
 using namespace cyclone_test;
