@@ -12,7 +12,9 @@ PointForce::PointForce(const char *function, const Vector3 &p) : position(p) {
 
 PointForce::PointForce(const Vector3 &p) : PointForce("PointForce::PointForce", p) {}
 
-void PointForce::updateForce(RigidBody *body, real) { body->addForceAtBodyPoint(getForce(*body), position); }
+void PointForce::updateForce(RigidBody *body, real) {
+    body->addForceAtBodyPoint(getForce(*body), getPointOn(*body));
+}
 
 Gravity::Gravity(const Vector3 &a) : acceleration(a) {
     requireFinite(a, "Gravity::Gravity", "the acceleration must be finite");
