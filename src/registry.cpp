@@ -189,6 +189,15 @@ private:
     ForceRegistry &registry;
 };
 
+/// Most generators fit into three cache lines and read a body's transform, velocity and rotation. Inline, for
+/// the compiler leaves out calls of a function that does nothing but prefetch.
+CYCLONE_INLINE void ForceRegistry::prefetchFor(std::size_t index) const {
+    const Registrations::Call &call = (*registrations)[index];
+    if (call.body == nullptr) return;
+    prefetch(call.body, offsetof(RigidBody, orientation));
+    prefetch(call.generator, 192);
+}
+
 void ForceRegistry::updateForces(real duration) {
     const Update update(*this, duration);
     callInOrder(0, registrations->getEnd(), duration);
@@ -199,14 +208,6 @@ void ForceRegistry::callInOrder(std::size_t begin, std::size_t end, real duratio
         if (n + PREFETCH_AHEAD < end) prefetchFor(n + PREFETCH_AHEAD);
         callGenerator(n, duration);
     }
-}
-
-/// Most generators fit into two cache lines and read a body's transform, velocity and rotation.
-void ForceRegistry::prefetchFor(std::size_t index) const {
-    const Registrations::Call &call = (*registrations)[index];
-    if (call.body == nullptr) return;
-    prefetch(call.body, offsetof(RigidBody, orientation));
-    prefetch(call.generator, 128);
 }
 
 void ForceRegistry::callGenerator(std::size_t index, real duration) {
