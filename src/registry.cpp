@@ -239,13 +239,13 @@ public:
     std::size_t getPartCount() const { return (runEnd - runBegin + PARALLEL_PART - 1) / PARALLEL_PART; }
 
     void run(std::size_t part) override {
-        const Registrations &registrations = *registry.registrations;
+        const Registrations &table = *registry.registrations;
         const std::size_t begin = runBegin + part * PARALLEL_PART,
                           end = std::min(begin + PARALLEL_PART, runEnd);
         for (std::size_t n = begin; n < end; ++n) {
             if (n + PREFETCH_AHEAD < end) registry.prefetchFor(n + PREFETCH_AHEAD);
-            if (registrations.isGap(n) || !registrations.isFirstOfBodySince(runBegin, n)) continue;
-            for (std::size_t its = n; its < runEnd; its = registrations.next(Registrations::BODY, its))
+            if (table.isGap(n) || !table.isFirstOfBodySince(runBegin, n)) continue;
+            for (std::size_t its = n; its < runEnd; its = table.next(Registrations::BODY, its))
                 registry.callGenerator(its, duration);
         }
     }
