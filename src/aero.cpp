@@ -1,5 +1,7 @@
 #include <cyclone/aero.h>
 
+#include <algorithm>
+
 #include "arguments.h"
 
 namespace cyclone {
@@ -7,15 +9,35 @@ namespace cyclone {
 using namespace detail;
 
 Aero::Aero(const char *function, const Matrix3 &a, const Vector3 &p, const Vector3 *windspeedAddress)
-    : tensor(a), position(p), windspeed(windspeedAddress) {
+    : position(p), windspeed(windspeedAddress) {
     requireFinite(a, function, "the tensor must be finite");
     requireFinite(p, function, "the position must be finite");
+    setTensor(a);
+}
+
+/// The Frobenius norm, of numbers whose squares may overflow.
+void Aero::setTensor(const Matrix3 &a) {
+    tensor = a;
+    real largest = 0, squares = 0;
+    for (const real entry : a.data) largest = std::max(largest, real_abs(entry));
+    if (largest > 0)
+        for (const real entry : a.data) squares += entry / largest * (entry / largest);
+    tensorSize = largest * real_sqrt(squares);
 }
 
 Aero::Aero(const Matrix3 &a, const Vector3 &p, const Vector3 *windspeedAddress)
     : Aero("Aero::Aero", a, p, windspeedAddress) {}
 
-void Aero::updateForce(RigidBody *body, real) { body->addForceAtBodyPoint(getForce(*body), position); }
+void Aero::updateForce(RigidBody *body, real) {
+    body->addForceAtBodyPoint(getForce(*body), position);
+    body->addResistance(tensorSize, rotationalFlow ? tensorSize * position.squareMagnitude() : 0);
+}
+
+void Aero::addResistance(const RigidBody &body, Resistance &sum) const {
+    Matrix3 turn;
+    turn.setOrientation(body.getOrientation());
+    sum.add(turn * tensor * turn.transpose(), body.getDirectionInWorldSpace(position), rotationalFlow);
+}
 
 AeroControl::AeroControl(const Matrix3 &atZero, const Matrix3 &atMinusOne, const Matrix3 &atOne,
                          const Vector3 &p, const Vector3 *windspeedAddress)
@@ -30,8 +52,8 @@ AeroControl::AeroControl(const Matrix3 &atZero, const Matrix3 &atMinusOne, const
 void AeroControl::setControl(real value) {
     requireFinite(value, "AeroControl::setControl", "the control must be finite");
     control = real_clamp(value, -1, 1);
-    tensor = control < 0 ? Matrix3::linearInterpolate(base, min, -control)
-                         : Matrix3::linearInterpolate(base, max, control);
+    setTensor(control < 0 ? Matrix3::linearInterpolate(base, min, -control)
+                          : Matrix3::linearInterpolate(base, max, control));
 }
 
 AngledAero::AngledAero(const Matrix3 &a, const Vector3 &p, const Vector3 *windspeedAddress)
@@ -43,7 +65,7 @@ void AngledAero::setOrientation(const Quaternion &q) {
     orientation.normalise();
     Matrix3 turn;
     turn.setOrientation(orientation);
-    tensor = turn * surfaceTensor * turn.transpose();
+    setTensor(turn * surfaceTensor * turn.transpose());
 }
 
 }  // namespace cyclone

@@ -21,7 +21,19 @@ Drag::Drag(real linear, real quadratic) : k1(linear), k2(quadratic) {
 
 void Drag::updateForce(RigidBody *body, real) {
     const Vector3 velocity = body->getVelocity();
-    body->addForce(velocity * -(k1 + k2 * velocity.magnitude()));
+    const real speed = velocity.magnitude();
+    body->addForce(velocity * -(k1 + k2 * speed));
+    body->addResistance(k1 + 2 * k2 * speed, 0);
+}
+
+/// −(k1 + k2·|v|)·1 − k2·v·vᵀ/|v|
+void Drag::addResistance(const RigidBody &body, Resistance &sum) const {
+    const Vector3 velocity = body.getVelocity(), direction = velocity.unit();
+    const real across = k1 + k2 * velocity.magnitude();
+    Matrix3 tensor(velocity * (-k2 * direction.x), velocity * (-k2 * direction.y),
+                   velocity * (-k2 * direction.z));
+    for (int n = 0; n < 9; n += 4) tensor.data[n] -= across;
+    sum.add(tensor, Vector3(), false);
 }
 
 namespace {

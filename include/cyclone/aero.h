@@ -12,8 +12,8 @@
 
 namespace cyclone {
 
-/// A surface: force = R·A·Rᵀ·(velocity + windspeed), at a point of the body. A step is stable while
-/// |A|/mass·duration < 1 and, with rotational flow, |A|·|position|²/inertia·duration < 1.
+/// A surface: force = R·A·Rᵀ·(velocity + windspeed), at a point of the body. It may resist as strongly as it
+/// likes, see ForceGenerator::addResistance.
 class CYCLONE_API Aero : public ForceGenerator {
 public:
     /// Tensor A in N·s/m and position in m, body coordinates, finite. windspeed in m/s, world coordinates, is
@@ -44,12 +44,15 @@ public:
 
     void updateForce(RigidBody *body, real duration) override;
     bool actsOnItsBodyOnly() const override { return true; }
+    void addResistance(const RigidBody &body, Resistance &sum) const override;
 
 protected:
     /// For derived classes: `function` is whose arguments they are.
     Aero(const char *function, const Matrix3 &tensor, const Vector3 &position, const Vector3 *windspeed);
+    void setTensor(const Matrix3 &bodyTensor);
 
     Matrix3 tensor;
+    real tensorSize;  ///< at least the tensor's norm
     Vector3 position;
     const Vector3 *windspeed;
     const WindField *wind = nullptr;

@@ -45,6 +45,8 @@ public:
     Propeller(const Vector3 &direction, const Vector3 &position, real maxForce, real pitchSpeed,
               const Vector3 *windspeed);
     Vector3 getForce(const RigidBody &body) const override;
+    void updateForce(RigidBody *body, real duration) override;
+    void addResistance(const RigidBody &body, Resistance &sum) const override;
 
 private:
     real pitchSpeed;
