@@ -1,4 +1,5 @@
 #include <cyclone/force.h>
+#include <cyclone/wind.h>
 
 #include "arguments.h"
 
@@ -20,8 +21,9 @@ Drag::Drag(real linear, real quadratic) : k1(linear), k2(quadratic) {
 }
 
 void Drag::updateForce(RigidBody *body, real) {
-    const Vector3 velocity = body->getVelocity();
-    body->addForce(velocity * -(k1 + k2 * velocity.magnitude()));
+    Vector3 flow = body->getVelocity();
+    if (windField != nullptr) flow -= windField->getVelocity(body->getPosition());
+    body->addForce(flow * -(k1 + k2 * flow.magnitude()));
 }
 
 namespace {
