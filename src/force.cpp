@@ -1,4 +1,5 @@
 #include <cyclone/force.h>
+#include <cyclone/wind.h>
 
 #include "arguments.h"
 
@@ -20,18 +21,22 @@ Drag::Drag(real linear, real quadratic) : k1(linear), k2(quadratic) {
 }
 
 void Drag::updateForce(RigidBody *body, real) {
-    const Vector3 velocity = body->getVelocity();
-    const real speed = velocity.magnitude();
-    body->addForce(velocity * -(k1 + k2 * speed));
+    const Vector3 flow = getFlow(*body);
+    const real speed = flow.magnitude();
+    body->addForce(flow * -(k1 + k2 * speed));
     body->addResistance(k1 + 2 * k2 * speed, 0);
+}
+
+Vector3 Drag::getFlow(const RigidBody &body) const {
+    const Vector3 velocity = body.getVelocity();
+    return windField != nullptr ? velocity - windField->getVelocity(body.getPosition()) : velocity;
 }
 
 /// −(k1 + k2·|v|)·1 − k2·v·vᵀ/|v|
 void Drag::addResistance(const RigidBody &body, Resistance &sum) const {
-    const Vector3 velocity = body.getVelocity(), direction = velocity.unit();
-    const real across = k1 + k2 * velocity.magnitude();
-    Matrix3 tensor(velocity * (-k2 * direction.x), velocity * (-k2 * direction.y),
-                   velocity * (-k2 * direction.z));
+    const Vector3 flow = getFlow(body), direction = flow.unit();
+    const real across = k1 + k2 * flow.magnitude();
+    Matrix3 tensor(flow * (-k2 * direction.x), flow * (-k2 * direction.y), flow * (-k2 * direction.z));
     for (int n = 0; n < 9; n += 4) tensor.data[n] -= across;
     sum.add(tensor, Vector3(), false);
 }

@@ -38,7 +38,9 @@ Propeller::Propeller(const Vector3 &push, const Vector3 &p, real force, real spe
 }
 
 Vector3 Propeller::getForce(const RigidBody &body) const {
-    const Vector3 flow = windspeed != nullptr ? body.getVelocity() + *windspeed : body.getVelocity();
+    Vector3 flow = body.getVelocity();
+    if (windspeed != nullptr) flow += *windspeed;
+    if (windField != nullptr) flow -= windField->getVelocity(body.getPointInWorldSpace(position));
     const real advance =
         real_clamp(flow * body.getDirectionInWorldSpace(direction) / pitchSpeed, 0, REAL_MAX);
     return Thruster::getForce(body) * (1 - advance);

@@ -27,7 +27,7 @@ public:
 
     /// A wind that differs from place to place, read where the surface is, on top of windspeed: the flow is
     /// the velocity + windspeed − the field's. It must live as long as the surface acts; null is none.
-    void setWind(const WindField *field) { wind = field; }
+    void setWind(const WindField *field) { windField = field; }
 
     /// The tensor in use now, body coordinates.
     const Matrix3 &getTensor() const { return tensor; }
@@ -37,7 +37,7 @@ public:
     Vector3 getForce(const RigidBody &body) const {
         Vector3 flow = body.getVelocity();
         if (windspeed != nullptr) flow += *windspeed;
-        if (wind != nullptr) flow -= wind->getVelocity(body.getPointInWorldSpace(position));
+        if (windField != nullptr) flow -= windField->getVelocity(body.getPointInWorldSpace(position));
         if (rotationalFlow) flow += body.getRotation() % body.getDirectionInWorldSpace(position);
         return body.getDirectionInWorldSpace(tensor * body.getDirectionInLocalSpace(flow));
     }
@@ -55,7 +55,7 @@ protected:
     real tensorSize;  ///< at least the tensor's norm
     Vector3 position;
     const Vector3 *windspeed;
-    const WindField *wind = nullptr;
+    const WindField *windField = nullptr;
     bool rotationalFlow = false;
 };
 

@@ -161,18 +161,28 @@ private:
     Vector3 acceleration;
 };
 
-/// Drag at the centre of mass, against the velocity v: −v/|v|·(k1·|v| + k2·|v|²). It may be as strong as it
-/// likes, see ForceGenerator::addResistance.
+class WindField;
+
+/// Drag at the centre of mass, against the velocity v through the air: −v/|v|·(k1·|v| + k2·|v|²). It may be
+/// as strong as it likes, see ForceGenerator::addResistance.
 class CYCLONE_API Drag : public ForceGenerator {
 public:
     /// k1 in N·s/m, k2 in N·s²/m²; finite and not negative.
     Drag(real k1, real k2);
+
+    /// The wind, see wind.h, read at the centre of mass: v is the body's velocity − the field's. It must live
+    /// as long as the drag acts; null is still air.
+    void setWind(const WindField *field) { windField = field; }
+
     void updateForce(RigidBody *body, real duration) override;
     bool actsOnItsBodyOnly() const override { return true; }
     void addResistance(const RigidBody &body, Resistance &sum) const override;
 
 private:
+    Vector3 getFlow(const RigidBody &body) const;
+
     real k1, k2;
+    const WindField *windField = nullptr;
 };
 
 /// A spring from a point of the body to a point of another: along the line d between them −k(|d| − L)·d/|d|,
