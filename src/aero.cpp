@@ -9,9 +9,8 @@ namespace cyclone {
 using namespace detail;
 
 Aero::Aero(const char *function, const Matrix3 &a, const Vector3 &p, const Vector3 *wind)
-    : position(p), windspeed(wind) {
+    : PointForce(function, p), windspeed(wind) {
     requireFinite(a, function, "the tensor must be finite");
-    requireFinite(p, function, "the position must be finite");
     setTensor(a);
 }
 

@@ -7,12 +7,22 @@ namespace cyclone {
 
 using namespace detail;
 
+PointForce::PointForce(const char *function, const Vector3 &p) : position(p) {
+    requireFinite(p, function, "the position must be finite");
+}
+
+PointForce::PointForce(const Vector3 &p) : PointForce("PointForce::PointForce", p) {}
+
+void PointForce::updateForce(RigidBody *body, real) {
+    body->addForceAtBodyPoint(getForce(*body), getPointOn(*body));
+}
+
 Gravity::Gravity(const Vector3 &a) : acceleration(a) {
     requireFinite(a, "Gravity::Gravity", "the acceleration must be finite");
 }
 
-void Gravity::updateForce(RigidBody *body, real) {
-    if (body->hasFiniteMass()) body->addForce(acceleration * body->getMass());
+Vector3 Gravity::getForce(const RigidBody &body) const {
+    return body.hasFiniteMass() ? acceleration * body.getMass() : Vector3();
 }
 
 Drag::Drag(real linear, real quadratic) : k1(linear), k2(quadratic) {
@@ -21,10 +31,13 @@ Drag::Drag(real linear, real quadratic) : k1(linear), k2(quadratic) {
 }
 
 void Drag::updateForce(RigidBody *body, real) {
-    const Vector3 flow = getFlow(*body);
-    const real speed = flow.magnitude();
-    body->addForce(flow * -(k1 + k2 * speed));
-    body->addResistance(k1 + 2 * k2 * speed, 0);
+    body->addForce(getForce(*body));
+    body->addResistance(k1 + 2 * k2 * getFlow(*body).magnitude(), 0);
+}
+
+Vector3 Drag::getForce(const RigidBody &body) const {
+    const Vector3 flow = getFlow(body);
+    return flow * -(k1 + k2 * flow.magnitude());
 }
 
 Vector3 Drag::getFlow(const RigidBody &body) const {
@@ -43,9 +56,7 @@ void Drag::addResistance(const RigidBody &body, Resistance &sum) const {
 
 namespace {
 
-void requireSpring(const Vector3 &connectionPoint, const Vector3 &otherEnd, real springConstant,
-                   real restLength, const char *function) {
-    requireFinite(connectionPoint, function, "the connection point must be finite");
+void requireSpring(const Vector3 &otherEnd, real springConstant, real restLength, const char *function) {
     requireFinite(otherEnd, function, "the other end must be finite");
     requireNotNegative(springConstant, function, "the spring constant must be finite and not negative");
     requireNotNegative(restLength, function, "the rest length must be finite and not negative");
@@ -62,13 +73,13 @@ Vector3 springForce(const Vector3 &d, real springConstant, real restLength) {
 
 Spring::Spring(const char *function, const RigidBody *body, const Vector3 &point, const RigidBody *otherBody,
                const Vector3 &otherPoint, real constant, real length)
-    : firstBody(body),
-      connectionPoint(point),
+    : PointForce(function, point),
+      firstBody(body),
       other(requireNonNull(otherBody, function, "the other body must not be null")),
       otherConnectionPoint(otherPoint),
       springConstant(constant),
       restLength(length) {
-    requireSpring(point, otherPoint, constant, length, function);
+    requireSpring(otherPoint, constant, length, function);
     require(body != otherBody, function, "the two bodies must be different");
 }
 
@@ -95,27 +106,29 @@ const RigidBody *Spring::getOtherBody(const RigidBody *body) const {
 }
 
 Vector3 Spring::getPointOn(const RigidBody &body) const {
-    return isOther(body) ? otherConnectionPoint : connectionPoint;
+    return isOther(body) ? otherConnectionPoint : position;
 }
 
 Vector3 Spring::getSeparation(const RigidBody &body) const {
     const RigidBody &far = *getOtherBody(&body);
-    const Vector3 &farPoint = isOther(body) ? connectionPoint : otherConnectionPoint;
+    const Vector3 &farPoint = isOther(body) ? position : otherConnectionPoint;
     return body.getPointInWorldSpace(getPointOn(body)) - far.getPointInWorldSpace(farPoint);
 }
 
-void Spring::updateForce(RigidBody *body, real) {
-    body->addForceAtBodyPoint(springForce(getSeparation(*body), springConstant, restLength),
-                              getPointOn(*body));
+Vector3 Spring::getForce(const RigidBody &body) const {
+    return springForce(getSeparation(body), springConstant, restLength);
 }
 
-void Bungee::updateForce(RigidBody *body, real duration) {
-    if (getSeparation(*body).magnitude() > restLength) Spring::updateForce(body, duration);
+Vector3 Bungee::getForce(const RigidBody &body) const {
+    return getSeparation(body).magnitude() > restLength ? Spring::getForce(body) : Vector3();
 }
 
 AnchoredSpring::AnchoredSpring(const Vector3 &point, const Vector3 &worldAnchor, real constant, real length)
-    : connectionPoint(point), anchor(worldAnchor), springConstant(constant), restLength(length) {
-    requireSpring(point, worldAnchor, constant, length, "AnchoredSpring::AnchoredSpring");
+    : PointForce("AnchoredSpring::AnchoredSpring", point),
+      anchor(worldAnchor),
+      springConstant(constant),
+      restLength(length) {
+    requireSpring(worldAnchor, constant, length, "AnchoredSpring::AnchoredSpring");
 }
 
 void AnchoredSpring::setAnchor(const Vector3 &worldPoint) {
@@ -123,9 +136,8 @@ void AnchoredSpring::setAnchor(const Vector3 &worldPoint) {
     anchor = worldPoint;
 }
 
-void AnchoredSpring::updateForce(RigidBody *body, real) {
-    const Vector3 span = body->getPointInWorldSpace(connectionPoint) - anchor;
-    body->addForceAtBodyPoint(springForce(span, springConstant, restLength), connectionPoint);
+Vector3 AnchoredSpring::getForce(const RigidBody &body) const {
+    return springForce(body.getPointInWorldSpace(position) - anchor, springConstant, restLength);
 }
 
 }  // namespace cyclone

@@ -7,9 +7,8 @@ namespace cyclone {
 using namespace detail;
 
 Thruster::Thruster(const char *function, const Vector3 &push, const Vector3 &p, real force)
-    : direction(push.unit()), position(p), maxForce(force) {
+    : PointForce(function, p), direction(push.unit()), maxForce(force) {
     requireDirection(push, function, "the direction must be finite and not zero");
-    requireFinite(p, function, "the position must be finite");
     requireNotNegative(force, function, "the greatest force must be finite and not negative");
 }
 
@@ -29,8 +28,6 @@ void Thruster::setDirection(const Vector3 &bodyDirection) {
 Vector3 Thruster::getForce(const RigidBody &body) const {
     return body.getDirectionInWorldSpace(direction) * (throttle * maxForce);
 }
-
-void Thruster::updateForce(RigidBody *body, real) { body->addForceAtBodyPoint(getForce(*body), position); }
 
 Propeller::Propeller(const Vector3 &push, const Vector3 &p, real force, real speed, const Vector3 *wind)
     : Thruster("Propeller::Propeller", push, p, force), pitchSpeed(speed), windspeed(wind) {

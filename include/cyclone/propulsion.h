@@ -9,7 +9,7 @@ namespace cyclone {
 
 /// A push of throttle·maxForce along a direction that is fixed to the body: a rocket, a jet, an outboard
 /// motor.
-class CYCLONE_API Thruster : public ForceGenerator {
+class CYCLONE_API Thruster : public PointForce {
 public:
     /// Direction of the push (any length but zero) and where it acts, m, in body coordinates; maxForce in N,
     /// finite and not negative. The throttle is closed at first.
@@ -22,17 +22,13 @@ public:
     void setDirection(const Vector3 &bodyDirection);
     Vector3 getDirection() const { return direction; }
 
-    /// The force on the body as it moves now, N, world coordinates.
-    virtual Vector3 getForce(const RigidBody &body) const;
-
-    void updateForce(RigidBody *body, real duration) override;
-    bool actsOnItsBodyOnly() const override { return true; }
+    Vector3 getForce(const RigidBody &body) const override;
 
 protected:
     /// For derived classes: `function` is whose arguments they are.
     Thruster(const char *function, const Vector3 &direction, const Vector3 &position, real maxForce);
 
-    Vector3 direction, position;
+    Vector3 direction;
     real maxForce;
     real throttle = 0;
 };
