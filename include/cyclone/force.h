@@ -209,11 +209,49 @@ private:
     const WindField *windField = nullptr;
 };
 
-/// A spring from a point of the body to a point of another: along the line d between them −k(|d| − L)·d/|d|,
-/// pulling when stretched, pushing when compressed; at zero length no force. It acts on the body that it is
-/// registered for. For the other, register its mirror image, or tell the constructor both bodies and register
-/// it for both; World::createSpring does so.
-class CYCLONE_API Spring : public PointForce {
+/// What pulls a point of the body towards a far end, along the line d from there: −T·d/|d| with the tension
+///
+///     T = k·(|d| − L) + c·d|d|/dt
+///
+/// Stretched it pulls, compressed it pushes; at zero length there is no force. A step is stable while
+/// duration < 2/√(k/m), and c/m·duration < 1, with 1/m the sum of the inverse masses of both ends.
+class CYCLONE_API ElasticForce : public PointForce {
+public:
+    /// k, N/m; finite and not negative.
+    void setSpringConstant(real newtonsPerMetre);
+    real getSpringConstant() const { return springConstant; }
+    /// L, m; finite and not negative.
+    void setRestLength(real metres);
+    real getRestLength() const { return restLength; }
+    /// c, N·s/m, for the motion of the two ends along the line; finite and not negative. 0 by default.
+    void setDamping(real newtonSecondsPerMetre);
+    real getDamping() const { return damping; }
+
+    /// As it is stretched between the body and the far end now: |d|, m, and T, N.
+    real getLength(const RigidBody &body) const { return getLine(body).separation.magnitude(); }
+    real getTension(const RigidBody &body) const { return tensionOf(getLine(body)); }
+    Vector3 getForce(const RigidBody &body) const override;
+
+protected:
+    /// From the far end to the body's, m, and how fast that changes, m/s; world coordinates.
+    struct Line {
+        Vector3 separation, velocity;
+    };
+
+    /// For derived classes: `function` is whose arguments they are.
+    ElasticForce(const char *function, const Vector3 &connectionPoint, real springConstant, real restLength);
+    virtual Line getLine(const RigidBody &body) const = 0;
+    virtual real tensionOf(const Line &line) const;
+
+private:
+    real springConstant, restLength;
+    real damping = 0;
+};
+
+/// From a point of the body to a point of another. It acts on the body that it is registered for. For the
+/// other, register its mirror image, or tell the constructor both bodies and register it for both;
+/// World::createSpring does so.
+class CYCLONE_API Spring : public ElasticForce {
 public:
     /// Points in body coordinates, `other` not null and alive as long as the spring acts, springConstant k in
     /// N/m and restLength L in m, finite and not negative.
@@ -224,15 +262,13 @@ public:
            const Vector3 &otherConnectionPoint, real springConstant, real restLength);
 
     const RigidBody *getOtherBody(const RigidBody *body) const override;
-    Vector3 getForce(const RigidBody &body) const override;
     Vector3 getPointOn(const RigidBody &body) const override;
 
 protected:
     /// For derived classes: `function` is whose arguments they are, and a null body one that is not told.
     Spring(const char *function, const RigidBody *body, const Vector3 &connectionPoint,
            const RigidBody *other, const Vector3 &otherConnectionPoint, real springConstant, real restLength);
-    /// From the other body's point to this body's, world coordinates.
-    Vector3 getSeparation(const RigidBody &body) const;
+    Line getLine(const RigidBody &body) const override;
 
 private:
     bool isOther(const RigidBody &body) const { return &body == other && firstBody != nullptr; }
@@ -240,9 +276,6 @@ private:
     const RigidBody *firstBody;  ///< null: whichever it is registered for
     const RigidBody *other;
     Vector3 otherConnectionPoint;
-
-protected:
-    real springConstant, restLength;
 };
 
 /// A spring that only pulls: slack, it does nothing.
@@ -253,22 +286,26 @@ public:
            real springConstant, real restLength);
     Bungee(const RigidBody *body, const Vector3 &connectionPoint, const RigidBody *other,
            const Vector3 &otherConnectionPoint, real springConstant, real restLength);
-    Vector3 getForce(const RigidBody &body) const override;
+
+protected:
+    real tensionOf(const Line &line) const override;
 };
 
-/// A spring from a point of the body to a fixed point of the world.
-class CYCLONE_API AnchoredSpring : public PointForce {
+/// From a point of the body to a fixed point of the world.
+class CYCLONE_API AnchoredSpring : public ElasticForce {
 public:
     /// connectionPoint in body coordinates, anchor in world coordinates; constants as for Spring.
     AnchoredSpring(const Vector3 &connectionPoint, const Vector3 &anchor, real springConstant,
                    real restLength);
+    /// For the damping, the anchor counts as at rest wherever it is moved.
     void setAnchor(const Vector3 &worldPoint);
     Vector3 getAnchor() const { return anchor; }
-    Vector3 getForce(const RigidBody &body) const override;
+
+protected:
+    Line getLine(const RigidBody &body) const override;
 
 private:
     Vector3 anchor;
-    real springConstant, restLength;
 };
 
 }  // namespace cyclone
