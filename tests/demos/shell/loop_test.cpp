@@ -12,6 +12,7 @@
 #include "flightsim/flight.h"
 
 using namespace demo;
+using namespace flightsim;
 
 namespace {
 
