@@ -105,6 +105,13 @@ bool Options::wasGiven(const std::string &name) const {
     throw std::logic_error("Options: --" + name + " is not declared");
 }
 
+std::vector<std::string> Options::getGiven() const {
+    std::vector<std::string> names;
+    for (const Option &option : options_)
+        if (option.given) names.push_back(option.name);
+    return names;
+}
+
 std::optional<int> Options::parse(int argc, const char *const argv[], std::ostream &out, std::ostream &err) {
     const std::vector<std::string> arguments(argv + std::min(argc, 1), argv + argc);
     for (const std::string &argument : arguments) {

@@ -17,6 +17,7 @@ namespace demo {
 namespace {
 
 constexpr real LONGEST_PAGE = 3600;  // s; some 20 MB
+const std::string STANDARD = "-";    // the standard output, as a file's name
 
 std::string getVersion() {
     return std::to_string(CYCLONE_VERSION_MAJOR) + "." + std::to_string(CYCLONE_VERSION_MINOR) + "." +
@@ -49,14 +50,15 @@ void declare(Options &options, RunOptions &given, const Demonstration &demonstra
     }
     options.addText("input", "FILE", "Play a script of control inputs", given.input);
     options.addText("record", "FILE", "Save the control inputs as a script", given.record);
-    options.addText("csv", "FILE", "Write every step's numbers", given.csv);
+    options.addText("csv", "FILE", "Write every step's numbers; - is the standard output", given.csv);
     options.addText("html", "FILE", "Write a page that replays the run in a browser", given.html);
     options.addText("still", "FILE", "Write a picture of the run, PNG", given.still);
     options.addNumber("at", "SECONDS", "When to take the picture", given.stillTime, 0, 1e6);
     std::vector<std::string> cameras;
     for (const Viewpoint viewpoint : demonstration.getScene().cameras.viewpoints)
         cameras.push_back(Stage::getName(viewpoint));
-    given.camera = cameras.front();
+    const std::string side = Stage::getName(Viewpoint::SIDE);
+    given.camera = std::count(cameras.begin(), cameras.end(), side) > 0 ? side : cameras.front();
     options.addChoice("camera", cameras, "From where to take it", given.camera);
     options.addNumber("zoom", "FACTOR", "How close to take it", given.zoom, 0.1, 10);
     given.products.resize(products.size());
@@ -91,17 +93,21 @@ void finish(std::optional<OutputFile> &file) {
     if (file) file->finish();
 }
 
-/// Writes what was asked for instead of a run; false if nothing was.
-bool makeProducts(const RunOptions &given, const std::vector<Product> &products) {
-    bool any = false;
+/// Writes what was asked for instead of a run; false if nothing was. What belongs to a run has no place
+/// beside it.
+bool makeProducts(const RunOptions &given, const Options &options, const std::vector<Product> &products) {
+    std::size_t made = 0;
     for (std::size_t n = 0; n < products.size(); ++n) {
         if (given.products[n].empty()) continue;
+        for (const std::string &other : options.getGiven())
+            if (other != products[n].name)
+                throw std::runtime_error("--" + other + " does not go with --" + products[n].name);
         OutputFile file(given.products[n]);
         products[n].write(file.stream());
         file.finish();
-        any = true;
+        ++made;
     }
-    return any;
+    return made > 0;
 }
 
 Still makeStill(const RunOptions &given, const Scene &scene, std::optional<OutputFile> &file) {
@@ -114,12 +120,12 @@ Still makeStill(const RunOptions &given, const Scene &scene, std::optional<Outpu
     return still;
 }
 
-/// Two files under one name would be written over each other.
-void requireDifferent(std::vector<std::string> paths) {
-    std::sort(paths.begin(), paths.end());
-    for (std::size_t n = 1; n < paths.size(); ++n)
-        if (!paths[n].empty() && paths[n] == paths[n - 1])
-            throw std::runtime_error("'" + paths[n] + "' is to be written twice");
+/// One file under two names would be written over, or read away.
+void requireDifferent(const std::vector<std::string> &paths) {
+    for (std::size_t n = 0; n < paths.size(); ++n)
+        for (std::size_t m = 0; m < n; ++m)
+            if (!paths[n].empty() && !paths[m].empty() && isSameFile(paths[n], paths[m]))
+                throw std::runtime_error("'" + paths[m] + "' and '" + paths[n] + "' are one file");
 }
 
 int run(Demonstration &demonstration, const Options &options, RunOptions given) {
@@ -130,23 +136,25 @@ int run(Demonstration &demonstration, const Options &options, RunOptions given) 
     if (!given.html.empty() && seconds > LONGEST_PAGE)
         throw std::runtime_error("--html: a page holds " + std::to_string(std::lround(LONGEST_PAGE)) +
                                  " s at most");
-    requireDifferent({given.csv, given.html, given.record, given.still});
-    std::optional<OutputFile> csv = open(given.csv), html = open(given.html), record = open(given.record),
-                              picture = open(given.still);
+    requireDifferent({given.input, given.csv, given.html, given.record, given.still});
+    const bool pipesCsv = given.csv == STANDARD;
+    std::optional<OutputFile> csv = open(pipesCsv ? "" : given.csv), html = open(given.html),
+                              record = open(given.record), picture = open(given.still);
 
     if (script && script->end && !given.seconds) seconds = static_cast<real>(*script->end) * profile.step;
     Session session(demonstration, given.seed, given.settings, std::move(script));
-    if (csv) session.writeCsvTo(csv->stream());
+    if (csv || pipesCsv) session.writeCsvTo(csv ? csv->stream() : std::cout);
     if (html) session.keepFrames();
     const Still still = makeStill(given, demonstration.getScene(), picture);
 
     int status = 0;
-    if (!given.seconds && Terminal::isInteractive()) {
+    if (!given.seconds && !pipesCsv && Terminal::isInteractive()) {
         status = runInteractive(session, demonstration, still);
         std::cout << session.getReport() << '\n';
     } else {
-        runHeadless(session, demonstration, seconds, still, std::cout,
-                    isTerminal(STANDARD_ERROR) && !isTerminal(STANDARD_OUTPUT) ? &std::cerr : nullptr);
+        const bool showsProgress = isTerminal(STANDARD_ERROR) && !isTerminal(STANDARD_OUTPUT) && !pipesCsv;
+        runHeadless(session, demonstration, seconds, still, pipesCsv ? std::cerr : std::cout,
+                    showsProgress ? &std::cerr : nullptr);
     }
     if (html) session.writePageTo(html->stream());
     if (record) record->stream() << writeScript(session.getInputs(), profile);
@@ -164,7 +172,7 @@ int runDemonstration(Demonstration &demonstration, int argc, const char *const a
     declare(options, given, demonstration, products);
     try {
         std::optional<int> status = options.parse(argc, argv, std::cout, std::cerr);
-        if (!status) status = makeProducts(given, products) ? 0 : run(demonstration, options, given);
+        if (!status) status = makeProducts(given, options, products) ? 0 : run(demonstration, options, given);
         if (!std::cout.flush()) throw std::runtime_error("cannot write to the standard output");
         return *status;
     } catch (const std::runtime_error &error) {
