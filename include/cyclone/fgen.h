@@ -7,3 +7,4 @@
 #include <cyclone/force.h>
 #include <cyclone/propulsion.h>
 #include <cyclone/wind.h>
+#include <cyclone/wing.h>
