@@ -183,26 +183,28 @@ Wing::Flow Wing::getFlow(const RigidBody &body) const {
     const Vector3 u = wingToBody.transformTranspose(body.getDirectionInLocalSpace(velocity));
     const real speed = real_sqrt(u.x * u.x + u.y * u.y);
     if (!(speed > 0)) return {u.x, u.y, u.z, speed, 0, 1};
-    return {u.x, u.y, u.z, speed, -u.y / speed, u.x / speed};
+    const real inverse = 1 / speed;
+    return {u.x, u.y, u.z, speed, -u.y * inverse, u.x * inverse};
 }
 
-/// In wing axes. The lift's direction is (−y, x)/speed, exactly across the flow.
+// The lift's direction is (−y, x)/speed, exactly across the flow.
 Wrench Wing::getWrench(const RigidBody &body) const {
     const Flow flow = getFlow(body);
     const WingSection::Coefficients c = curve.getCoefficients(flow.sine, flow.cosine);
     const real scale = 0.5 * density * span * chord;
     const real lift = scale * flow.speed * c.lift, drag = scale * flow.speed * c.drag;
     const real friction = scale * section.leastDrag * real_abs(flow.z);
-    return {Vector3(-lift * flow.y - drag * flow.x, lift * flow.x - drag * flow.y, -friction * flow.z),
-            Vector3(0, 0, scale * chord * flow.speed * flow.speed * c.moment)};
+    const Vector3 force(-lift * flow.y - drag * flow.x, lift * flow.x - drag * flow.y, -friction * flow.z);
+    const real couple = scale * chord * flow.speed * flow.speed * c.moment;
+    return {wingToBody * force, wingToBody.getAxisVector(2) * couple};
 }
 
 Vector3 Wing::getForce(const RigidBody &body) const {
-    return body.getDirectionInWorldSpace(wingToBody * getWrench(body).force);
+    return body.getDirectionInWorldSpace(getWrench(body).force);
 }
 
 Vector3 Wing::getTorque(const RigidBody &body) const {
-    return body.getDirectionInWorldSpace(wingToBody * getWrench(body).torque);
+    return body.getDirectionInWorldSpace(getWrench(body).torque);
 }
 
 real Wing::getAngleOfAttack(const RigidBody &body) const {
@@ -217,8 +219,8 @@ bool Wing::isStalled(const RigidBody &body) const {
 
 void Wing::updateForce(RigidBody *body, real) {
     const Wrench wrench = getWrench(*body);
-    body->addForceAtBodyPoint(body->getDirectionInWorldSpace(wingToBody * wrench.force), position);
-    body->addTorque(body->getDirectionInWorldSpace(wingToBody * wrench.torque));
+    body->addForce(body->getDirectionInWorldSpace(wrench.force));
+    body->addTorque(body->getDirectionInWorldSpace(position % wrench.force + wrench.torque));
 }
 
 }  // namespace cyclone

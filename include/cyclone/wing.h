@@ -131,6 +131,7 @@ private:
         real sine, cosine;  ///< of the angle of attack
     };
     Flow getFlow(const RigidBody &body) const;
+    /// The force at the position and the couple, in body axes.
     Wrench getWrench(const RigidBody &body) const;
     void updateCurve();
 
