@@ -240,6 +240,7 @@ void RigidBody::calculateDerivedData() { transform.setOrientationAndPos(orientat
 
 void RigidBody::clearForces() {
     generated = Wrench();
+    resistance = 0;
     if (hasAdded) added = Wrench();
     hasAdded = hasGenerated = false;
 }

@@ -1,4 +1,5 @@
 #include <cyclone/force.h>
+#include <cyclone/wind.h>
 
 #include <algorithm>
 
@@ -31,9 +32,28 @@ Drag::Drag(real linear, real quadratic) : k1(linear), k2(quadratic) {
     requireNotNegative(k2, "Drag::Drag", "k2 must be finite and not negative");
 }
 
+void Drag::updateForce(RigidBody *body, real) {
+    body->addForce(getForce(*body));
+    body->addResistance(k1 + 2 * k2 * getFlow(*body).magnitude(), 0);
+}
+
 Vector3 Drag::getForce(const RigidBody &body) const {
+    const Vector3 flow = getFlow(body);
+    return flow * -(k1 + k2 * flow.magnitude());
+}
+
+Vector3 Drag::getFlow(const RigidBody &body) const {
     const Vector3 velocity = body.getVelocity();
-    return velocity * -(k1 + k2 * velocity.magnitude());
+    return windField != nullptr ? velocity - windField->getVelocity(body.getPosition()) : velocity;
+}
+
+/// −(k1 + k2·|v|)·1 − k2·v·vᵀ/|v|
+void Drag::addResistance(const RigidBody &body, Resistance &sum) const {
+    const Vector3 flow = getFlow(body), direction = flow.unit();
+    const real across = k1 + k2 * flow.magnitude();
+    Matrix3 tensor(flow * (-k2 * direction.x), flow * (-k2 * direction.y), flow * (-k2 * direction.z));
+    for (int n = 0; n < 9; n += 4) tensor.data[n] -= across;
+    sum.add(tensor, Vector3(), false);
 }
 
 // ---- Springs

@@ -5,12 +5,24 @@
 /// and the simple forces.
 #include <cyclone/body.h>
 
+#include <atomic>
 #include <cstddef>
 #include <cstdint>
 #include <memory>
 #include <vector>
 
 namespace cyclone {
+
+/// How a force and its torque about the centre of mass answer to the motion of the body: their derivatives
+/// by its velocity and by its rotation, SI, world coordinates. What resists is negative, as in an aerodynamic
+/// tensor.
+struct CYCLONE_API Resistance {
+    Matrix3 forceByVelocity, forceByRotation, torqueByVelocity, torqueByRotation;
+
+    /// Adds that of a force with ∂force/∂flow = `tensor` (N·s/m) that acts at `arm` from the centre of mass
+    /// (m). The flow is the velocity of the centre or, with rotational flow, of the point itself.
+    void add(const Matrix3 &tensor, const Vector3 &arm, bool rotationalFlow);
+};
 
 /// Something that adds a force, a torque or both to a body in every frame. Derive from it for forces of your
 /// own.
@@ -35,6 +47,13 @@ public:
     /// null: none. It is asked when the generator is registered for `body`. The registration ends when the
     /// other body leaves the World.
     virtual const RigidBody *getOtherBody(const RigidBody * /*body*/) const { return nullptr; }
+
+    /// Adds how what updateForce adds answers to the motion of the body as it moves now. A generator that
+    /// tells so may resist motion as strongly as it likes, alone or with others, at any step; one that does
+    /// not is bound to |resistance|/mass·duration < 1. Called after all generators of a body, and only if
+    /// what they told RigidBody::addResistance may be too strong for an explicit step. To tell more than is
+    /// true is safe: the motion ends the same, only later.
+    virtual void addResistance(const RigidBody &body, Resistance &sum) const;
 
 protected:
     ForceGenerator() = default;
@@ -118,6 +137,7 @@ private:
     enum class Phase { IDLE, SERIAL, PARALLEL };
     class Update;
     class ParallelJob;
+    class ResistJob;
     /// A generator of the registry's own after its last registration.
     struct EndedGenerator {
         std::unique_ptr<ForceGenerator> generator;
@@ -127,6 +147,7 @@ private:
     void prefetchFor(std::size_t index) const;
     void callGenerator(std::size_t index, real duration);
     void callInOrder(std::size_t begin, std::size_t end, real duration);
+    void resist(std::size_t begin, std::size_t end, real duration);
     std::size_t endOfRun(std::size_t begin, std::size_t end) const;
 
     bool hasCrossBodyGenerators() const;
@@ -146,6 +167,7 @@ private:
     std::uint64_t changes = 0;   ///< so far
     std::uint64_t revision = 0;  ///< another number after each change
     Phase phase = Phase::IDLE;
+    std::atomic<bool> anyMayBeStiff{false};  ///< of the bodies whose generators have been called
     std::size_t ownedCount = 0;
     std::vector<EndedGenerator> endedGenerators;       ///< room for all that are owned
     std::shared_ptr<detail::SnapshotHistory> history;  ///< null: nothing comes back
@@ -163,16 +185,28 @@ private:
     Vector3 acceleration;
 };
 
-/// Drag at the centre of mass, against the velocity v: −v/|v|·(k1·|v| + k2·|v|²). A step is stable while
-/// (k1 + k2·|v|)/mass·duration < 1.
+class WindField;
+
+/// Drag at the centre of mass, against the velocity v through the air: −v/|v|·(k1·|v| + k2·|v|²). It may be
+/// as strong as it likes, see ForceGenerator::addResistance.
 class CYCLONE_API Drag : public PointForce {
 public:
     /// k1 in N·s/m, k2 in N·s²/m²; finite and not negative.
     Drag(real k1, real k2);
+
+    /// The wind, see wind.h, read at the centre of mass: v is the body's velocity − the field's. It must live
+    /// as long as the drag acts; null is still air.
+    void setWind(const WindField *field) { windField = field; }
+
     Vector3 getForce(const RigidBody &body) const override;
+    void updateForce(RigidBody *body, real duration) override;
+    void addResistance(const RigidBody &body, Resistance &sum) const override;
 
 private:
+    Vector3 getFlow(const RigidBody &body) const;
+
     real k1, k2;
+    const WindField *windField = nullptr;
 };
 
 /// What pulls a point of the body towards a far end, along the line d from there: −T·d/|d| with the tension

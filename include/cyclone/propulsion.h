@@ -3,6 +3,7 @@
 /// @file
 /// What drives vehicles: a thruster and a propeller.
 #include <cyclone/force.h>
+#include <cyclone/wind.h>
 
 namespace cyclone {
 
@@ -40,11 +41,18 @@ public:
     /// As Thruster. pitchSpeed in m/s, positive: pitch times revolutions. windspeed as for Aero.
     Propeller(const Vector3 &direction, const Vector3 &position, real maxForce, real pitchSpeed,
               const Vector3 *windspeed);
+
+    /// A wind that differs from place to place, as Aero::setWind, read where the push acts.
+    void setWind(const WindField *field) { windField = field; }
+
     Vector3 getForce(const RigidBody &body) const override;
+    void updateForce(RigidBody *body, real duration) override;
+    void addResistance(const RigidBody &body, Resistance &sum) const override;
 
 private:
     real pitchSpeed;
     const Vector3 *windspeed;
+    const WindField *windField = nullptr;
 };
 
 }  // namespace cyclone
