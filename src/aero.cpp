@@ -14,6 +14,19 @@ Aero::Aero(const char *function, const Matrix3 &a, const Vector3 &p, const Vecto
 Aero::Aero(const Matrix3 &a, const Vector3 &p, const Vector3 *windspeedAddress)
     : Aero("Aero::Aero", a, p, windspeedAddress) {}
 
+void Aero::setWater(const Water *sea, real depth) {
+    requirePositive(depth, "Aero::setWater", "fullDepth must be positive and finite");
+    water = sea;
+    fullDepth = depth;
+}
+
+Vector3 Aero::getForceInWater(const Vector3 &flow, const RigidBody &body) const {
+    const Vector3 point = body.getPointInWorldSpace(position);
+    const Water::Motion motion = water->getMotion(point);
+    const real wetted = real_clamp((motion.height - point.y) / fullDepth, 0, 1);
+    return getForceOf(flow - motion.velocity, body) * wetted;
+}
+
 // As PointForce does, but here compilers see which getForce it is likely to be, and build it in.
 void Aero::updateForce(RigidBody *body, real) { body->addForceAtBodyPoint(getForce(*body), position); }
 

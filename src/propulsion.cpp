@@ -25,8 +25,19 @@ void Thruster::setDirection(const Vector3 &bodyDirection) {
     direction = bodyDirection.unit();
 }
 
+void Thruster::setWater(const Water *sea, real r) {
+    requirePositive(r, "Thruster::setWater", "the radius must be positive and finite");
+    water = sea;
+    radius = r;
+}
+
 Vector3 Thruster::getForce(const RigidBody &body) const {
-    return body.getDirectionInWorldSpace(direction) * (throttle * maxForce);
+    real push = throttle * maxForce;
+    if (water != nullptr) {
+        const Vector3 point = body.getPointInWorldSpace(position);
+        push *= real_clamp((water->getHeight(point) + radius - point.y) / (2 * radius), 0, 1);
+    }
+    return body.getDirectionInWorldSpace(direction) * push;
 }
 
 Propeller::Propeller(const Vector3 &push, const Vector3 &p, real force, real speed, const Vector3 *wind)
@@ -35,7 +46,9 @@ Propeller::Propeller(const Vector3 &push, const Vector3 &p, real force, real spe
 }
 
 Vector3 Propeller::getForce(const RigidBody &body) const {
-    const Vector3 flow = windspeed != nullptr ? body.getVelocity() + *windspeed : body.getVelocity();
+    Vector3 flow = body.getVelocity();
+    if (windspeed != nullptr) flow += *windspeed;
+    if (water != nullptr) flow -= water->getVelocity(body.getPointInWorldSpace(position));
     const real advance =
         real_clamp(flow * body.getDirectionInWorldSpace(direction) / pitchSpeed, 0, REAL_MAX);
     return Thruster::getForce(body) * (1 - advance);

@@ -45,10 +45,11 @@ TEST(Headers, UmbrellaHoldsEverything) {
     cyclone::AeroControl control(tensor, tensor, tensor, Vector3(), nullptr);
     cyclone::AngledAero angled(tensor, Vector3(), nullptr);
     cyclone::Buoyancy buoyancy(Vector3(), 1, 1, -5);
+    cyclone::HullDrag hullDrag(&buoyancy, Vector3(), Vector3(), Vector3());
     cyclone::Thruster thruster(Vector3::X, Vector3(), 1);
     cyclone::Propeller propeller(Vector3::X, Vector3(), 1, 1, nullptr);
     cyclone::ForceGenerator *all[] = {&gravity, &drag,   &spring,   &bungee,   &anchored, &aero,
-                                      &control, &angled, &buoyancy, &thruster, &propeller};
+                                      &control, &angled, &buoyancy, &hullDrag, &thruster, &propeller};
     for (cyclone::ForceGenerator *force : all) world.getForceRegistry().add(body, force);
     world.startFrame();
     world.runPhysics(0.1);
