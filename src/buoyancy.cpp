@@ -1,5 +1,7 @@
 #include <cyclone/buoyancy.h>
 
+#include <algorithm>
+
 #include "arguments.h"
 
 namespace cyclone {
@@ -49,22 +51,44 @@ HullDrag::HullDrag(const Buoyancy *buoyancy, const Vector3 &centre, const Vector
         requireNotNegative(k, "HullDrag::HullDrag", "quadratic must be finite and not negative");
 }
 
-namespace {
-
-real resistance(real u, real linear, real quadratic) { return -(linear + quadratic * real_abs(u)) * u; }
-
-}  // namespace
-
-Vector3 HullDrag::getForce(const RigidBody &body) const {
-    const real submersion = hull->getSubmersion(body);
-    if (submersion == 0) return Vector3();
+Vector3 HullDrag::flowInBodyAxes(const RigidBody &body) const {
     Vector3 flow = body.getVelocity() + body.getRotation() % body.getDirectionInWorldSpace(position);
     if (const Water *water = hull->getWater())
         flow -= water->getVelocity(body.getPointInWorldSpace(position));
-    const Vector3 u = body.getDirectionInLocalSpace(flow);
-    const Vector3 force(resistance(u.x, linear.x, quadratic.x), resistance(u.y, linear.y, quadratic.y),
-                        resistance(u.z, linear.z, quadratic.z));
-    return body.getDirectionInWorldSpace(force) * submersion;
+    return body.getDirectionInLocalSpace(flow);
+}
+
+Vector3 HullDrag::getForceOf(const Vector3 &flow, real submersion, const RigidBody &body) const {
+    const Vector3 size(real_abs(flow.x), real_abs(flow.y), real_abs(flow.z));
+    const Vector3 drag = (linear + quadratic.componentProduct(size)).componentProduct(flow);
+    return body.getDirectionInWorldSpace(drag) * -submersion;
+}
+
+Vector3 HullDrag::resistanceTo(const Vector3 &flow, real submersion) const {
+    const Vector3 size(real_abs(flow.x), real_abs(flow.y), real_abs(flow.z));
+    return (linear + quadratic.componentProduct(size) * 2) * submersion;
+}
+
+Vector3 HullDrag::getForce(const RigidBody &body) const {
+    const real submersion = hull->getSubmersion(body);
+    return submersion > 0 ? getForceOf(flowInBodyAxes(body), submersion, body) : Vector3();
+}
+
+void HullDrag::updateForce(RigidBody *body, real) {
+    const real submersion = hull->getSubmersion(*body);
+    if (submersion == 0) return;
+    const Vector3 flow = flowInBodyAxes(*body), along = resistanceTo(flow, submersion);
+    const real most = std::max({along.x, along.y, along.z});
+    body->addForceAtBodyPoint(getForceOf(flow, submersion, *body), position);
+    body->addResistance(most, most * position.squareMagnitude());
+}
+
+void HullDrag::addResistance(const RigidBody &body, Resistance &sum) const {
+    const Vector3 along = resistanceTo(flowInBodyAxes(body), hull->getSubmersion(body));
+    Matrix3 turn, tensor;
+    turn.setOrientation(body.getOrientation());
+    tensor.setDiagonal(-along.x, -along.y, -along.z);
+    sum.add(turn * tensor * turn.transpose(), body.getDirectionInWorldSpace(position), true);
 }
 
 }  // namespace cyclone

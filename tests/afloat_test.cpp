@@ -129,6 +129,31 @@ TEST(HullDrag, TakesEnergyAndNeverGivesAny) {
     }
 }
 
+TEST(HullDrag, MayBeAsStrongAsItLikes) {
+    // Far beyond what an explicit step bears: the hull stops, in the water and on its way, and never goes
+    // back.
+    for (const real strength : {1e3, 1e6, 1e12}) {
+        World world;
+        RigidBody *body = world.createBody();
+        const Buoyancy hull(Vector3(), 0.5, 1, 100);
+        HullDrag drag(&hull, Vector3(0.3, 0, 0), Vector3(0.1, 1, 1) * strength, Vector3(1, 1, 1) * strength);
+        world.getForceRegistry().add(body, &drag);
+        body->setVelocity(20, 5, -3);
+        body->setRotation(1, 2, 3);
+        const auto energy = [&] {  // of 1 kg and unit inertia
+            return body->getVelocity().squareMagnitude() + body->getRotation().squareMagnitude();
+        };
+        real last = energy();
+        for (int n = 0; n < 600; ++n) {
+            run(world, 1);
+            ASSERT_LE(energy(), 1.0001 * last) << strength << " at frame " << n;
+            last = energy();
+        }
+        const Vector3 centre = body->getPointInWorldSpace(drag.getPosition());
+        EXPECT_LT(body->getVelocityAtPoint(centre).magnitude(), 0.05) << strength;
+    }
+}
+
 // ---- Carried by the water
 
 TEST(Afloat, SmallFloatMovesWithTheWaterOfALongWave) {

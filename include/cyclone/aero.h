@@ -13,8 +13,8 @@
 
 namespace cyclone {
 
-/// A surface: force = R·A·Rᵀ·(velocity + windspeed), at a point of the body. A step is stable while
-/// |A|/mass·duration < 1 and, with rotational flow, |A|·|position|²/inertia·duration < 1.
+/// A surface: force = R·A·Rᵀ·(velocity + windspeed), at a point of the body. It may resist as strongly as it
+/// likes, see ForceGenerator::addResistance.
 class CYCLONE_API Aero : public PointForce {
 public:
     /// Tensor A in N·s/m and position in m, body coordinates, finite. windspeed in m/s, world coordinates, is
@@ -28,7 +28,7 @@ public:
 
     /// A wind that differs from place to place, read where the surface is, on top of windspeed: the flow is
     /// the velocity + windspeed − the field's. It must live as long as the surface acts; null is none.
-    void setWind(const WindField *field) { wind = field; }
+    void setWind(const WindField *field) { windField = field; }
 
     /// Puts the surface into water: a keel, a rudder, a hydrofoil, the bottom of a planing boat. The flow is
     /// that past the water where the surface is, and the force is multiplied by clamp(depth/fullDepth, 0, 1):
@@ -42,19 +42,22 @@ public:
     Vector3 getForce(const RigidBody &body) const override {
         Vector3 flow = body.getVelocity();
         if (windspeed != nullptr) flow += *windspeed;
-        if (wind != nullptr) flow -= wind->getVelocity(body.getPointInWorldSpace(position));
+        if (windField != nullptr) flow -= windField->getVelocity(body.getPointInWorldSpace(position));
         if (rotationalFlow) flow += body.getRotation() % body.getDirectionInWorldSpace(position);
         return water == nullptr ? getForceOf(flow, body) : getForceInWater(flow, body);
     }
     void updateForce(RigidBody *body, real duration) override;
+    void addResistance(const RigidBody &body, Resistance &sum) const override;
 
 protected:
     /// For derived classes: `function` is whose arguments they are.
     Aero(const char *function, const Matrix3 &tensor, const Vector3 &position, const Vector3 *windspeed);
+    void setTensor(const Matrix3 &bodyTensor);
 
     Matrix3 tensor;
+    real tensorSize;  ///< at least the tensor's norm
     const Vector3 *windspeed;
-    const WindField *wind = nullptr;
+    const WindField *windField = nullptr;
     const Water *water = nullptr;
     real fullDepth = 1;
     bool rotationalFlow = false;
@@ -64,6 +67,7 @@ private:
         return body.getDirectionInWorldSpace(tensor * body.getDirectionInLocalSpace(flow));
     }
     Vector3 getForceInWater(const Vector3 &flow, const RigidBody &body) const;
+    real wettedPart(const Vector3 &point, real surfaceHeight) const;
 };
 
 /// A surface with a control, such as a wing with a flap: the tensor is `min` at control −1, `base` at 0,

@@ -45,7 +45,8 @@ private:
 ///
 /// with u the velocity of the point where it acts, past the water there. Along a hull the quadratic term is
 /// friction and wave making; sideways a hull is a wall; and what it spends up and down on making waves is
-/// what ends heaving, rolling and pitching.
+/// what ends heaving, rolling and pitching. It may be as strong as it likes, see
+/// ForceGenerator::addResistance.
 class CYCLONE_API HullDrag : public PointForce {
 public:
     /// Acts at `centre`, m, body coordinates, as far as `hull` is under water; the water is the hull's.
@@ -54,8 +55,15 @@ public:
     HullDrag(const Buoyancy *hull, const Vector3 &centre, const Vector3 &linear, const Vector3 &quadratic);
 
     Vector3 getForce(const RigidBody &body) const override;
+    void updateForce(RigidBody *body, real duration) override;
+    void addResistance(const RigidBody &body, Resistance &sum) const override;
 
 private:
+    Vector3 flowInBodyAxes(const RigidBody &body) const;
+    Vector3 getForceOf(const Vector3 &flow, real submersion, const RigidBody &body) const;
+    /// −∂force/∂flow along each body axis.
+    Vector3 resistanceTo(const Vector3 &flow, real submersion) const;
+
     const Buoyancy *hull;
     Vector3 linear, quadratic;
 };

@@ -8,3 +8,4 @@
 #include <cyclone/propulsion.h>
 #include <cyclone/water.h>
 #include <cyclone/wind.h>
+#include <cyclone/wing.h>

@@ -4,6 +4,7 @@
 /// What drives vehicles: a thruster and a propeller.
 #include <cyclone/force.h>
 #include <cyclone/water.h>
+#include <cyclone/wind.h>
 
 namespace cyclone {
 
@@ -33,6 +34,9 @@ protected:
     /// For derived classes: `function` is whose arguments they are.
     Thruster(const char *function, const Vector3 &direction, const Vector3 &position, real maxForce);
 
+    /// N, as far as the screw is under water.
+    real getPush(const RigidBody &body) const;
+
     Vector3 direction;
     real maxForce;
     real throttle = 0;
@@ -48,11 +52,18 @@ public:
     /// As Thruster. pitchSpeed in m/s, positive: pitch times revolutions. windspeed as for Aero.
     Propeller(const Vector3 &direction, const Vector3 &position, real maxForce, real pitchSpeed,
               const Vector3 *windspeed);
+
+    /// A wind that differs from place to place, as Aero::setWind, read where the push acts.
+    void setWind(const WindField *field) { windField = field; }
+
     Vector3 getForce(const RigidBody &body) const override;
+    void updateForce(RigidBody *body, real duration) override;
+    void addResistance(const RigidBody &body, Resistance &sum) const override;
 
 private:
     real pitchSpeed;
     const Vector3 *windspeed;
+    const WindField *windField = nullptr;
 };
 
 }  // namespace cyclone

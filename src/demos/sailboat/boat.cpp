@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-namespace demo {
+namespace sailboat {
 
 namespace {
 
@@ -80,7 +80,7 @@ real wrapAngle(real angle) {
 
 real bearing(const Vector3 &v) { return cyclone::real_atan2(v.z, v.x); }
 
-Catamaran::Catamaran(cyclone::World *w, const Vector3 *wind, const cyclone::Water *surface)
+Catamaran::Catamaran(cyclone::World &w, const Vector3 *wind, const cyclone::Water *surface)
     : world(w),
       windspeed(wind),
       water(surface),
@@ -89,8 +89,8 @@ Catamaran::Catamaran(cyclone::World *w, const Vector3 *wind, const cyclone::Wate
       drags{makeDrag(&hulls[0], 0), makeDrag(&hulls[1], 1), makeDrag(&hulls[2], 2), makeDrag(&hulls[3], 3)},
       sail(SAIL, SAIL_CENTRE, wind),
       rudder(RUDDER, RUDDER_CENTRE, nullptr) {
-    world->addBody(&body);
-    cyclone::ForceRegistry &forces = world->getForceRegistry();
+    world.addBody(&body);
+    cyclone::ForceRegistry &forces = world.getForceRegistry();
     for (Buoyancy &hull : hulls) {
         hull.setWater(water);
         forces.add(&body, &hull);
@@ -103,7 +103,7 @@ Catamaran::Catamaran(cyclone::World *w, const Vector3 *wind, const cyclone::Wate
     launch(0, 0, 0);
 }
 
-Catamaran::~Catamaran() { world->removeBody(&body); }
+Catamaran::~Catamaran() { world.removeBody(&body); }
 
 void Catamaran::launch(real x, real z, real heading, real speed) {
     const real carried = body.getMass() / (1000 * 4 * HALF_HULL_VOLUME);
@@ -167,4 +167,4 @@ real Catamaran::getApparentWindSpeed() const {
 
 bool Catamaran::isCapsized() const { return body.getDirectionInWorldSpace(Vector3::Y).y < 0; }
 
-}  // namespace demo
+}  // namespace sailboat

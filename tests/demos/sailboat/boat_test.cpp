@@ -13,8 +13,8 @@ using cyclone::real;
 using cyclone::REAL_PI;
 using cyclone::Vector3;
 using cyclone::Waves;
-using demo::Catamaran;
-using demo::Helmsman;
+using sailboat::Catamaran;
+using sailboat::Helmsman;
 
 constexpr real STEP = 1.0 / 60, DEGREE = REAL_PI / 180, G = 9.81;
 /// Of all four half hulls together, N/m.
@@ -30,7 +30,7 @@ struct Sea {
     Helmsman helmsman;
     real time = 0;
 
-    explicit Sea(real wind = 0) : windspeed(wind, 0, 0), boat(&world, &windspeed, &water) {}
+    explicit Sea(real wind = 0) : windspeed(wind, 0, 0), boat(world, &windspeed, &water) {}
 
     void step(const Vector3 &force = Vector3()) {
         time += STEP;
