@@ -186,7 +186,8 @@ std::uint64_t hashStates(RigidBody *const *bodies, std::size_t count) {
     Hash hash;
     hash.add(count);
     for (std::size_t n = 0; n < count; ++n)
-        for (std::uint64_t word : toWords(bodies[n]->getState()).words) hash.add(word);
+        for (std::uint64_t word : toWords(bodies[n]->getState()).words)
+            hash.add(word == bitsOf(-0.0) ? bitsOf(0.0) : word);
     return hash.get();
 }
 
