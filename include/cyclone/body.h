@@ -133,6 +133,8 @@ public:
     }
     /// World coordinates, N·m.
     void addTorque(const Vector3 &torque) { addWrench(Vector3(), torque); }
+    /// Both at once.
+    void addWrench(const Wrench &wrench) { addWrench(wrench.force, wrench.torque); }
     /// Takes back what has been added since the last step.
     void clearAccumulators() {
         if (hasAdded || hasGenerated) clearForces();
