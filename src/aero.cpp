@@ -1,28 +1,45 @@
 #include <cyclone/aero.h>
 
+#include <algorithm>
+
 #include "arguments.h"
 
 namespace cyclone {
 
 using namespace detail;
 
-Aero::Aero(const char *function, const Matrix3 &a, const Vector3 &p, const Vector3 *windspeedAddress)
-    : tensor(a), position(p), windspeed(windspeedAddress) {
+Aero::Aero(const char *function, const Matrix3 &a, const Vector3 &p, const Vector3 *wind)
+    : PointForce(function, p), windspeed(wind) {
     requireFinite(a, function, "the tensor must be finite");
-    requireFinite(p, function, "the position must be finite");
+    setTensor(a);
 }
 
-Aero::Aero(const Matrix3 &a, const Vector3 &p, const Vector3 *windspeedAddress)
-    : Aero("Aero::Aero", a, p, windspeedAddress) {}
+/// The Frobenius norm, of numbers whose squares may overflow.
+void Aero::setTensor(const Matrix3 &a) {
+    tensor = a;
+    real largest = 0, squares = 0;
+    for (const real entry : a.data) largest = std::max(largest, real_abs(entry));
+    if (largest > 0)
+        for (const real entry : a.data) squares += entry / largest * (entry / largest);
+    tensorSize = largest * real_sqrt(squares);
+}
 
-void Aero::updateForce(RigidBody *body, real) { body->addForceAtBodyPoint(getForce(*body), position); }
+Aero::Aero(const Matrix3 &a, const Vector3 &p, const Vector3 *wind) : Aero("Aero::Aero", a, p, wind) {}
+
+void Aero::updateForce(RigidBody *body, real) {
+    body->addForceAtBodyPoint(getForce(*body), position);
+    body->addResistance(tensorSize, rotationalFlow ? tensorSize * position.squareMagnitude() : 0);
+}
+
+void Aero::addResistance(const RigidBody &body, Resistance &sum) const {
+    Matrix3 turn;
+    turn.setOrientation(body.getOrientation());
+    sum.add(turn * tensor * turn.transpose(), body.getDirectionInWorldSpace(position), rotationalFlow);
+}
 
 AeroControl::AeroControl(const Matrix3 &atZero, const Matrix3 &atMinusOne, const Matrix3 &atOne,
-                         const Vector3 &p, const Vector3 *windspeedAddress)
-    : Aero("AeroControl::AeroControl", atZero, p, windspeedAddress),
-      base(atZero),
-      min(atMinusOne),
-      max(atOne) {
+                         const Vector3 &p, const Vector3 *wind)
+    : Aero("AeroControl::AeroControl", atZero, p, wind), base(atZero), min(atMinusOne), max(atOne) {
     requireFinite(min, "AeroControl::AeroControl", "the tensor must be finite");
     requireFinite(max, "AeroControl::AeroControl", "the tensor must be finite");
 }
@@ -30,12 +47,12 @@ AeroControl::AeroControl(const Matrix3 &atZero, const Matrix3 &atMinusOne, const
 void AeroControl::setControl(real value) {
     requireFinite(value, "AeroControl::setControl", "the control must be finite");
     control = real_clamp(value, -1, 1);
-    tensor = control < 0 ? Matrix3::linearInterpolate(base, min, -control)
-                         : Matrix3::linearInterpolate(base, max, control);
+    setTensor(control < 0 ? Matrix3::linearInterpolate(base, min, -control)
+                          : Matrix3::linearInterpolate(base, max, control));
 }
 
-AngledAero::AngledAero(const Matrix3 &a, const Vector3 &p, const Vector3 *windspeedAddress)
-    : Aero("AngledAero::AngledAero", a, p, windspeedAddress), surfaceTensor(a) {}
+AngledAero::AngledAero(const Matrix3 &a, const Vector3 &p, const Vector3 *wind)
+    : Aero("AngledAero::AngledAero", a, p, wind), surfaceTensor(a) {}
 
 void AngledAero::setOrientation(const Quaternion &q) {
     requireRotation(q, "AngledAero::setOrientation", "the quaternion must be finite and not zero");
@@ -43,7 +60,7 @@ void AngledAero::setOrientation(const Quaternion &q) {
     orientation.normalise();
     Matrix3 turn;
     turn.setOrientation(orientation);
-    tensor = turn * surfaceTensor * turn.transpose();
+    setTensor(turn * surfaceTensor * turn.transpose());
 }
 
 }  // namespace cyclone

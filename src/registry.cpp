@@ -176,6 +176,7 @@ public:
                 "a generator may not update the forces");
         requireDuration(duration, "ForceRegistry::updateForces");
         registry.phase = Phase::SERIAL;
+        registry.anyMayBeStiff = false;
     }
     ~Update() {
         registry.phase = Phase::IDLE;
@@ -192,6 +193,7 @@ private:
 void ForceRegistry::updateForces(real duration) {
     const Update update(*this, duration);
     callInOrder(0, registrations->getEnd(), duration);
+    if (anyMayBeStiff) resist(0, registrations->getEnd(), duration);
 }
 
 void ForceRegistry::callInOrder(std::size_t begin, std::size_t end, real duration) {
@@ -226,6 +228,23 @@ void ForceRegistry::callGenerator(std::size_t index, real duration) {
     } const marker{*registrations, index, called.body, called.body->marks.inGenerator};
     called.body->marks.inGenerator = true;
     called.generator->updateForce(called.body, duration);
+    if (!registrations->isGap(index) && called.body->mayBeStiff(duration))
+        anyMayBeStiff.store(true, std::memory_order_relaxed);
+}
+
+/// Makes the step implicit of those bodies whose first registration is one of these and whose generators
+/// resist too strongly together.
+void ForceRegistry::resist(std::size_t begin, std::size_t end, real duration) {
+    for (std::size_t n = begin; n < end; ++n) {
+        RigidBody *const body = (*registrations)[n].body;
+        if (body == nullptr || !registrations->isFirstOfBodySince(0, n) || !body->mayBeStiff(duration))
+            continue;
+        Resistance sum;
+        for (std::size_t its = n; its != Registrations::NONE;
+             its = registrations->next(Registrations::BODY, its))
+            (*registrations)[its].generator->addResistance(*body, sum);
+        body->resist(sum, duration);
+    }
 }
 
 /// A part of a run of generators that act on their body only, on one thread. It takes the bodies whose first
@@ -255,6 +274,24 @@ private:
     const real duration;
 };
 
+/// A part of resist(), on one thread.
+class ForceRegistry::ResistJob : public JobSystem::Job {
+public:
+    ResistJob(ForceRegistry &r, real h) : registry(r), end(r.registrations->getEnd()), duration(h) {}
+
+    std::size_t getPartCount() const { return (end + PARALLEL_PART - 1) / PARALLEL_PART; }
+
+    void run(std::size_t part) override {
+        const std::size_t begin = part * PARALLEL_PART;
+        registry.resist(begin, std::min(begin + PARALLEL_PART, end), duration);
+    }
+
+private:
+    ForceRegistry &registry;
+    const std::size_t end;
+    const real duration;
+};
+
 void ForceRegistry::updateForces(real duration, JobSystem &jobs) {
     const Update update(*this, duration);
     const std::size_t end = registrations->getEnd();
@@ -272,6 +309,11 @@ void ForceRegistry::updateForces(real duration, JobSystem &jobs) {
             jobs.parallelFor(job.getPartCount(), job);
         phase = Phase::SERIAL;
     }
+    if (!anyMayBeStiff) return;
+    if (end < PARALLEL_MINIMUM) return resist(0, end, duration);
+    phase = Phase::PARALLEL;
+    ResistJob job(*this, duration);
+    jobs.parallelFor(job.getPartCount(), job);
 }
 
 /// The end of the run of registrations that begins here: all of them act on their body only, or none does.

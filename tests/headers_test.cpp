@@ -48,6 +48,16 @@ TEST(Headers, UmbrellaHoldsEverything) {
     cyclone::Buoyancy buoyancy(Vector3(), 1, 1, -5);
     cyclone::Thruster thruster(Vector3::X, Vector3(), 1);
     cyclone::Propeller propeller(Vector3::X, Vector3(), 1, 1, nullptr);
+    const cyclone::WindGradient gradient(Vector3(), 1);
+    const cyclone::Thermal thermal(Vector3(), 0, 1, 1);
+    const cyclone::Turbulence turbulence(0);
+    cyclone::WindSum air;
+    air.add(&gradient);
+    air.add(&thermal);
+    air.add(&turbulence);
+    drag.setWind(&air);
+    aero.setWind(&air);
+    propeller.setWind(&air);
     cyclone::ForceGenerator *all[] = {&gravity, &drag,   &spring, &bungee,   &anchored, &aero,
                                       &control, &angled, &wing,   &buoyancy, &thruster, &propeller};
     for (cyclone::ForceGenerator *force : all) world.getForceRegistry().add(body, force);
