@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "arguments.h"
+#include "loadstates.h"
 #include "ownedbodies.h"
 #include "worldstructure.h"
 
@@ -68,14 +69,14 @@ const WorldStructure *World::findStructure(const Snapshot &snapshot) const {
 void World::restoreState(const Snapshot &snapshot) {
     requireIdle("World::restoreState");
     const WorldStructure *const then = findStructure(snapshot);
-    if (then != nullptr && !isCurrent(*then)) {
-        requireCallersPart(*then);
-        const char *const error = findSnapshotError(snapshot, then->members.bodies.size());
-        require(error == nullptr, "World::restoreState", error);
-        restoreStructure(*then);
-    }
-    const RigidBodies &bodies = getBodies();
-    readSnapshot(snapshot, bodies.data(), bodies.size(), "World::restoreState");
+    const bool changes = then != nullptr && !isCurrent(*then);
+    if (changes) requireCallersPart(*then);
+    const std::size_t count = changes ? then->members.bodies.size() : members->size();
+    const char *const error = findSnapshotError(snapshot, count);
+    require(error == nullptr, "World::restoreState", error);
+
+    if (changes) restoreStructure(*then);
+    loadStates(snapshot, getBodies().data(), count);
     listFaultedBodies(true);
     freeEndedBodies();
     registry.deleteEndedGenerators();

@@ -5,6 +5,7 @@
 
 #include "arguments.h"
 #include "compiler.h"
+#include "loadstates.h"
 #include "state.h"
 
 namespace cyclone {
@@ -230,10 +231,13 @@ const char *findSnapshotError(const Snapshot &snapshot, std::size_t count) {
     return nullptr;
 }
 
-void readSnapshot(const Snapshot &snapshot, RigidBody *const *bodies, std::size_t count,
-                  const char *function) {
+void readSnapshot(const Snapshot &snapshot, RigidBody *const *bodies, std::size_t count) {
     const char *const error = findSnapshotError(snapshot, count);
-    require(error == nullptr, function, error);
+    require(error == nullptr, "readSnapshot", error);
+    loadStates(snapshot, bodies, count);
+}
+
+void detail::loadStates(const Snapshot &snapshot, RigidBody *const *bodies, std::size_t count) {
     const std::uint8_t *bytes = snapshot.data() + HEADER;
     for (std::size_t n = 0; n < count; ++n, bytes += RECORD) {
         loadRecord(bytes, *bodies[n]);

@@ -46,10 +46,8 @@ CYCLONE_API void writeSnapshot(RigidBody *const *bodies, std::size_t count, Snap
 /// their own.
 CYCLONE_API const char *findSnapshotError(const Snapshot &snapshot, std::size_t count);
 
-/// Sets every body to its saved state. Refuses a snapshot with an error, in the name of `function`, and
-/// changes nothing then.
-CYCLONE_API void readSnapshot(const Snapshot &snapshot, RigidBody *const *bodies, std::size_t count,
-                              const char *function = "readSnapshot");
+/// Sets every body to its saved state. Refuses a snapshot with an error, and changes nothing then.
+CYCLONE_API void readSnapshot(const Snapshot &snapshot, RigidBody *const *bodies, std::size_t count);
 
 /// A number that depends on every bit of the states, save for the sign of zeros, which no motion depends on:
 /// two machines whose numbers agree are in step.
