@@ -54,7 +54,7 @@ private:
 
     void updateDamping(RigidBody &body);
     const HalfStep &halfStepWith(real damping, HalfStep &latest) const;
-    AngularImpulse kickAndDrift(Entry &entry);
+    AngularImpulse kickAndDrift(RigidBody &body, Entry &entry);
     void rotateLocked(const Entry &entry, const AngularImpulse &impulse);
     void gather(const RigidBody &body, const AngularImpulse &impulse, int lane);
     void scatter(const Entry &entry, int lane);
@@ -64,7 +64,9 @@ private:
 
     const real duration;
     FreeRotation freeRotation;
-    Entry entries[SIZE];
+    union {
+        Entry entries[SIZE];  ///< for speed nothing is set at first
+    };
     HalfStep linear, angular;  ///< of the body before: most bodies share their damping
     int count = 0;
     std::size_t faults = 0;
