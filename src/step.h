@@ -11,7 +11,7 @@
 namespace cyclone {
 namespace detail {
 
-/// Up to eight bodies on their way through one step of length h. Each is kicked and drifts along, all turn
+/// Up to sixteen bodies on their way through one step of length h. Each is kicked and drifts along, all turn
 /// side by side, then each takes its new state:
 ///
 ///     kick     v += (A − A_last)·e_last     the last step's closing kick, now that its force is known
