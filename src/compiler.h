@@ -21,11 +21,12 @@
 #endif
 
 /// Compiles a function for several processors; the loader picks the widest version that this one has. None of
-/// them fuses or reorders operations. Sanitizers run before the loader has chosen, and do without.
+/// them reorders operations, and -ffp-contract=off keeps the one for AVX-512 from fusing them. Sanitizers run
+/// before the loader has chosen, and do without.
 #if defined(__x86_64__) && defined(__GLIBC__) && defined(__has_attribute) && !defined(__AVX2__) && \
     !CYCLONE_SANITIZED
 #if __has_attribute(target_clones)
-#define CYCLONE_TARGET_CLONES __attribute__((target_clones("default", "avx2")))
+#define CYCLONE_TARGET_CLONES __attribute__((target_clones("default", "avx2", "avx512f")))
 #endif
 #endif
 #ifndef CYCLONE_TARGET_CLONES

@@ -24,7 +24,7 @@ namespace detail {
 /// over them. Every lane is computed alone: the same operations in the same order, whatever the other lanes
 /// hold. For speed nothing is set at first: fill the lanes that advance() is to work on.
 struct CYCLONE_API FreeRotation {
-    static constexpr int LANES = 8;
+    static constexpr int LANES = 16;  ///< more than one vector, so that one is computed while another waits
 
     using Lanes = real[LANES];
 

@@ -1,5 +1,7 @@
 #include "step.h"
 
+#include <new>
+
 #include "arguments.h"
 #include "compiler.h"
 
@@ -40,45 +42,52 @@ void StepBlock::updateDamping(RigidBody &body) {
 
 // ---- Before the rotation
 
-CYCLONE_INLINE StepBlock::AngularImpulse StepBlock::kickAndDrift(Entry &entry) {
-    RigidBody &body = *entry.body;
+CYCLONE_INLINE StepBlock::AngularImpulse StepBlock::kickAndDrift(RigidBody &body, Entry &entry) {
+    Vector3 velocity = body.velocity, acceleration, addedAcceleration, torque;
     AngularImpulse impulse;
-    Vector3 torque;
-    entry.velocity = body.velocity;
-    entry.acceleration = entry.addedAcceleration = Vector3();
     if (body.hasFiniteMass()) {
         const real lastLinearKick = body.memory.linearKick, lastAngularKick = body.memory.angularKick;
         if (body.dampedDuration != duration) updateDamping(body);
         torque = body.generated.torque;
-        entry.acceleration = body.acceleration + body.generated.force * body.inverseMass;
-        entry.velocity += (entry.acceleration - body.memory.acceleration) * lastLinearKick;
+        acceleration = body.acceleration + body.generated.force * body.inverseMass;
+        velocity += (acceleration - body.memory.acceleration) * lastLinearKick;
         impulse.kick = (torque - body.memory.torque) * lastAngularKick;
         if (body.hasAdded) {
             torque += body.added.torque;
-            entry.addedAcceleration = body.added.force * body.inverseMass;
-            entry.velocity += entry.addedAcceleration * duration;
+            addedAcceleration = body.added.force * body.inverseMass;
+            velocity += addedAcceleration * duration;
             impulse.kick += body.added.torque * duration;
         }
-        entry.velocity = entry.velocity * body.linearFactor + entry.acceleration * body.memory.linearKick;
+        velocity = velocity * body.linearFactor + acceleration * body.memory.linearKick;
         impulse.halfKick = body.generated.torque * body.memory.angularKick;
     }
-    entry.isTorqueFree = torque == Vector3();
-    entry.position = body.getPosition() + entry.velocity * duration;
+    new (&entry) Entry{&body,
+                       body.getPosition() + velocity * duration,
+                       velocity,
+                       acceleration,
+                       addedAcceleration,
+                       torque == Vector3()};
     return impulse;
 }
 
 namespace {
 
-/// Where each body axis goes when the axes are renumbered cyclically so that `middle` becomes axis 0.
-constexpr int RENUMBERED[3][3] = {{0, 1, 2}, {2, 0, 1}, {1, 2, 0}};
+/// Where each body axis, and each element of a matrix, goes when the axes are renumbered cyclically so that
+/// the intermediate one becomes axis 0.
+struct Renumbering {
+    std::size_t axis[3], element[9];
+};
+constexpr Renumbering RENUMBERINGS[3] = {{{0, 1, 2}, {0, 1, 2, 3, 4, 5, 6, 7, 8}},
+                                         {{2, 0, 1}, {8, 6, 7, 2, 0, 1, 5, 3, 4}},
+                                         {{1, 2, 0}, {4, 5, 3, 7, 8, 6, 1, 2, 0}}};
 
-void storeRenumbered(real (*rows)[FreeRotation::LANES], const int *row, int lane, const Vector3 &v) {
+void storeRenumbered(real (*rows)[FreeRotation::LANES], const std::size_t *row, int lane, const Vector3 &v) {
     rows[row[0]][lane] = v.x;
     rows[row[1]][lane] = v.y;
     rows[row[2]][lane] = v.z;
 }
 
-Vector3 loadRenumbered(const real (*rows)[FreeRotation::LANES], const int *row, int lane) {
+Vector3 loadRenumbered(const real (*rows)[FreeRotation::LANES], const std::size_t *row, int lane) {
     return Vector3(rows[row[0]][lane], rows[row[1]][lane], rows[row[2]][lane]);
 }
 
@@ -134,7 +143,7 @@ CYCLONE_INLINE bool StepBlock::commit(const Entry &entry, const Quaternion &orie
 // ---- Around the rotation
 
 CYCLONE_INLINE void StepBlock::gather(const RigidBody &body, const AngularImpulse &impulse, int lane) {
-    const int *row = RENUMBERED[body.intermediateAxis];
+    const std::size_t *const row = RENUMBERINGS[body.intermediateAxis].axis;
     const Quaternion q = body.hasPrincipalAxes ? body.orientation * body.principalAxes : body.orientation;
     freeRotation.orientation[0][lane] = q.r;
     storeRenumbered(freeRotation.orientation + 1, row, lane, Vector3(q.i, q.j, q.k));
@@ -147,7 +156,8 @@ CYCLONE_INLINE void StepBlock::gather(const RigidBody &body, const AngularImpuls
 
 CYCLONE_INLINE void StepBlock::scatter(const Entry &entry, int lane) {
     RigidBody &body = *entry.body;
-    const int *row = RENUMBERED[body.intermediateAxis];
+    const Renumbering &renumbering = RENUMBERINGS[body.intermediateAxis];
+    const std::size_t *const row = renumbering.axis;
     const Vector3 v = loadRenumbered(freeRotation.orientation + 1, row, lane);
     Quaternion orientation(freeRotation.orientation[0][lane], v.x, v.y, v.z);
     if (body.hasPrincipalAxes) orientation *= body.principalAxes.conjugate();
@@ -156,9 +166,10 @@ CYCLONE_INLINE void StepBlock::scatter(const Entry &entry, int lane) {
                 loadRenumbered(freeRotation.finalMomentum, row, lane)))
         return;
     if (body.hasPrincipalAxes) return body.calculateDerivedData();
-    for (int column = 0; column < 3; ++column)
-        for (int line = 0; line < 3; ++line)
-            body.transform.data[4 * line + column] = freeRotation.matrix[3 * row[line] + row[column]][lane];
+    for (int line = 0; line < 3; ++line)
+        for (int column = 0; column < 3; ++column)
+            body.transform.data[4 * line + column] =
+                freeRotation.matrix[renumbering.element[3 * line + column]][lane];
 }
 
 /// A body that is immovable or has a locked axis: each component of its rotation in its own axes goes on
@@ -191,8 +202,7 @@ void StepBlock::rotateLocked(const Entry &entry, const AngularImpulse &impulse) 
 
 void StepBlock::add(RigidBody &body) {
     Entry &entry = entries[count];
-    entry.body = &body;
-    const AngularImpulse impulse = kickAndDrift(entry);
+    const AngularImpulse impulse = kickAndDrift(body, entry);
     if (!body.isFreeRotor()) return rotateLocked(entry, impulse);
     gather(body, impulse, count);
     if (++count == SIZE) finish();

@@ -11,7 +11,7 @@
 namespace cyclone {
 namespace detail {
 
-/// Up to eight bodies on their way through one step of length h. Each is kicked and drifts along, all turn
+/// Up to sixteen bodies on their way through one step of length h. Each is kicked and drifts along, all turn
 /// side by side, then each takes its new state:
 ///
 ///     kick     v += (A − A_last)·e_last     the last step's closing kick, now that its force is known
@@ -54,7 +54,7 @@ private:
 
     void updateDamping(RigidBody &body);
     const HalfStep &halfStepWith(real damping, HalfStep &latest) const;
-    AngularImpulse kickAndDrift(Entry &entry);
+    AngularImpulse kickAndDrift(RigidBody &body, Entry &entry);
     void rotateLocked(const Entry &entry, const AngularImpulse &impulse);
     void gather(const RigidBody &body, const AngularImpulse &impulse, int lane);
     void scatter(const Entry &entry, int lane);
@@ -64,7 +64,9 @@ private:
 
     const real duration;
     FreeRotation freeRotation;
-    Entry entries[SIZE];
+    union {
+        Entry entries[SIZE];  ///< for speed nothing is set at first
+    };
     HalfStep linear, angular;  ///< of the body before: most bodies share their damping
     int count = 0;
     std::size_t faults = 0;
