@@ -91,7 +91,8 @@ const char *State::findError() const {
     if (!rotation.isFinite()) return "the rotation must be finite";
     if (!angularMomentum.isFinite()) return "the angular momentum must be finite";
     if (!acceleration.isFinite()) return "the acceleration must be finite";
-    if (!lastFrameAcceleration.isFinite()) return "the last frame's acceleration must be finite";
+    if (lastFrameAcceleration != lastFrameAcceleration)  // a sum of two finite ones may be infinite
+        return "the last frame's acceleration must be a number";
     if (!memory.acceleration.isFinite() || !memory.torque.isFinite())
         return "the remembered acceleration and torque must be finite";
     if (!isNotNegative(memory.linearKick) || !isNotNegative(memory.angularKick))
