@@ -8,10 +8,9 @@ namespace cyclone {
 
 using namespace detail;
 
-Aero::Aero(const char *function, const Matrix3 &a, const Vector3 &p, const Vector3 *windspeedAddress)
-    : position(p), windspeed(windspeedAddress) {
+Aero::Aero(const char *function, const Matrix3 &a, const Vector3 &p, const Vector3 *wind)
+    : PointForce(function, p), windspeed(wind) {
     requireFinite(a, function, "the tensor must be finite");
-    requireFinite(p, function, "the position must be finite");
     setTensor(a);
 }
 
@@ -25,8 +24,7 @@ void Aero::setTensor(const Matrix3 &a) {
     tensorSize = largest * real_sqrt(squares);
 }
 
-Aero::Aero(const Matrix3 &a, const Vector3 &p, const Vector3 *windspeedAddress)
-    : Aero("Aero::Aero", a, p, windspeedAddress) {}
+Aero::Aero(const Matrix3 &a, const Vector3 &p, const Vector3 *wind) : Aero("Aero::Aero", a, p, wind) {}
 
 void Aero::updateForce(RigidBody *body, real) {
     body->addForceAtBodyPoint(getForce(*body), position);
@@ -40,11 +38,8 @@ void Aero::addResistance(const RigidBody &body, Resistance &sum) const {
 }
 
 AeroControl::AeroControl(const Matrix3 &atZero, const Matrix3 &atMinusOne, const Matrix3 &atOne,
-                         const Vector3 &p, const Vector3 *windspeedAddress)
-    : Aero("AeroControl::AeroControl", atZero, p, windspeedAddress),
-      base(atZero),
-      min(atMinusOne),
-      max(atOne) {
+                         const Vector3 &p, const Vector3 *wind)
+    : Aero("AeroControl::AeroControl", atZero, p, wind), base(atZero), min(atMinusOne), max(atOne) {
     requireFinite(min, "AeroControl::AeroControl", "the tensor must be finite");
     requireFinite(max, "AeroControl::AeroControl", "the tensor must be finite");
 }
@@ -56,8 +51,8 @@ void AeroControl::setControl(real value) {
                           : Matrix3::linearInterpolate(base, max, control));
 }
 
-AngledAero::AngledAero(const Matrix3 &a, const Vector3 &p, const Vector3 *windspeedAddress)
-    : Aero("AngledAero::AngledAero", a, p, windspeedAddress), surfaceTensor(a) {}
+AngledAero::AngledAero(const Matrix3 &a, const Vector3 &p, const Vector3 *wind)
+    : Aero("AngledAero::AngledAero", a, p, wind), surfaceTensor(a) {}
 
 void AngledAero::setOrientation(const Quaternion &q) {
     requireRotation(q, "AngledAero::setOrientation", "the quaternion must be finite and not zero");

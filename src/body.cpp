@@ -209,6 +209,28 @@ void RigidBody::addRotation(const Vector3 &change) {
     setRotation(rotation + change);
 }
 
+void RigidBody::addImpulse(const Vector3 &impulse) {
+    const Vector3 changed = velocity + impulse * inverseMass;
+    requireVector(impulse.isFinite() && changed.isFinite(), "RigidBody::addImpulse",
+                  "the impulse and the velocity must be finite", impulse);
+    setVelocity(changed);
+}
+
+void RigidBody::addImpulseAtPoint(const Vector3 &impulse, const Vector3 &worldPoint) {
+    constexpr const char *FUNCTION = "RigidBody::addImpulseAtPoint";
+    requireFinite(impulse, FUNCTION, "the impulse must be finite");
+    requireFinite(worldPoint, FUNCTION, "the point must be finite");
+    if (!hasFiniteMass()) return;
+    const Vector3 changedVelocity = velocity + impulse * inverseMass;
+    const Vector3 changedRotation =
+        rotation + getInverseInertiaTensorWorld() * ((worldPoint - getPosition()) % impulse);
+    requireVector(changedVelocity.isFinite() && changedRotation.isFinite() &&
+                      angularMomentumFor(changedRotation, orientation).isFinite(),
+                  FUNCTION, "the motion must stay finite", impulse);
+    setVelocity(changedVelocity);
+    setRotation(changedRotation);
+}
+
 void RigidBody::setAcceleration(const Vector3 &metresPerSecondSquared) {
     requireFinite(metresPerSecondSquared, "RigidBody::setAcceleration", "the acceleration must be finite");
     if (!awake && metresPerSecondSquared != acceleration && metresPerSecondSquared != Vector3())

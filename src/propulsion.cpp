@@ -7,9 +7,8 @@ namespace cyclone {
 using namespace detail;
 
 Thruster::Thruster(const char *function, const Vector3 &push, const Vector3 &p, real force)
-    : direction(push.unit()), position(p), maxForce(force) {
+    : PointForce(function, p), direction(push.unit()), maxForce(force) {
     requireDirection(push, function, "the direction must be finite and not zero");
-    requireFinite(p, function, "the position must be finite");
     requireNotNegative(force, function, "the greatest force must be finite and not negative");
 }
 
@@ -30,15 +29,15 @@ Vector3 Thruster::getForce(const RigidBody &body) const {
     return body.getDirectionInWorldSpace(direction) * (throttle * maxForce);
 }
 
-void Thruster::updateForce(RigidBody *body, real) { body->addForceAtBodyPoint(getForce(*body), position); }
-
 Propeller::Propeller(const Vector3 &push, const Vector3 &p, real force, real speed, const Vector3 *wind)
     : Thruster("Propeller::Propeller", push, p, force), pitchSpeed(speed), windspeed(wind) {
     requirePositive(speed, "Propeller::Propeller", "the pitch speed must be positive and finite");
 }
 
 Vector3 Propeller::getForce(const RigidBody &body) const {
-    const Vector3 flow = windspeed != nullptr ? body.getVelocity() + *windspeed : body.getVelocity();
+    Vector3 flow = body.getVelocity();
+    if (windspeed != nullptr) flow += *windspeed;
+    if (windField != nullptr) flow -= windField->getVelocity(body.getPointInWorldSpace(position));
     const real advance =
         real_clamp(flow * body.getDirectionInWorldSpace(direction) / pitchSpeed, 0, REAL_MAX);
     return Thruster::getForce(body) * (1 - advance);

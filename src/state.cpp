@@ -29,12 +29,17 @@ bool isZero(const Wrench &wrench) { return wrench.force == Vector3() && wrench.t
 void RigidBody::setState(const State &state) {
     const char *const error = state.findError();
     require(error == nullptr, "RigidBody::setState", error);
+    transform.setAxisVector(3, state.position);
     StateMembers::visit(*this, [&state](auto &member, auto same) { member = state.*same; });
-    transform.setOrientationAndPos(state.orientation, state.position);
-    setPrincipalFrame(state.inverseInertia, state.principalAxes);
-    hasAdded = !isZero(added);
-    hasGenerated = !isZero(generated);
-    dampedDuration = 0;
+    StateMembers::updateDerived(*this);
+}
+
+void StateMembers::updateDerived(RigidBody &body) {
+    body.calculateDerivedData();
+    body.setPrincipalFrame(body.inverseInertia, body.principalAxes);
+    body.hasAdded = !isZero(body.added);
+    body.hasGenerated = !isZero(body.generated);
+    body.dampedDuration = 0;
 }
 
 // ---- What is possible

@@ -70,9 +70,7 @@ void World::destroyBody(RigidBody *body) {
     requireNonNull(body, "World::destroyBody", "the body must not be null");
     require(members->contains(body) && ownedBodies->owns(body), "World::destroyBody",
             "the body must have been created by this world");
-    const std::uint64_t born = members->whenBorn(body);
-    detach(body);
-    endBody(body, born);
+    endBody(body, detach(body));
 }
 
 void World::clear() {
@@ -92,7 +90,8 @@ void World::append(RigidBody *body) {
     memberRevision = ++memberChanges;
 }
 
-void World::detach(RigidBody *body) {
+/// Returns when the body was born.
+std::uint64_t World::detach(RigidBody *body) {
     registry.remove(body);
     body->marks.inGenerator = false;
     const auto isBefore = [this](const RigidBody *a, const RigidBody *b) {
@@ -100,8 +99,8 @@ void World::detach(RigidBody *body) {
     };
     const auto listed = std::lower_bound(faultedBodies.begin(), faultedBodies.end(), body, isBefore);
     if (listed != faultedBodies.end() && *listed == body) faultedBodies.erase(listed);
-    members->erase(body);
     memberRevision = ++memberChanges;
+    return members->erase(body);
 }
 
 /// For good, unless a snapshot may bring it back.

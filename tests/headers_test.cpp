@@ -44,11 +44,22 @@ TEST(Headers, UmbrellaHoldsEverything) {
     cyclone::Aero aero(tensor, Vector3(), nullptr);
     cyclone::AeroControl control(tensor, tensor, tensor, Vector3(), nullptr);
     cyclone::AngledAero angled(tensor, Vector3(), nullptr);
+    cyclone::Wing wing(1, 1, Vector3(), nullptr);
     cyclone::Buoyancy buoyancy(Vector3(), 1, 1, -5);
     cyclone::Thruster thruster(Vector3::X, Vector3(), 1);
     cyclone::Propeller propeller(Vector3::X, Vector3(), 1, 1, nullptr);
-    cyclone::ForceGenerator *all[] = {&gravity, &drag,   &spring,   &bungee,   &anchored, &aero,
-                                      &control, &angled, &buoyancy, &thruster, &propeller};
+    const cyclone::WindGradient gradient(Vector3(), 1);
+    const cyclone::Thermal thermal(Vector3(), 0, 1, 1);
+    const cyclone::Turbulence turbulence(0);
+    cyclone::WindSum air;
+    air.add(&gradient);
+    air.add(&thermal);
+    air.add(&turbulence);
+    drag.setWind(&air);
+    aero.setWind(&air);
+    propeller.setWind(&air);
+    cyclone::ForceGenerator *all[] = {&gravity, &drag,   &spring, &bungee,   &anchored, &aero,
+                                      &control, &angled, &wing,   &buoyancy, &thruster, &propeller};
     for (cyclone::ForceGenerator *force : all) world.getForceRegistry().add(body, force);
     world.startFrame();
     world.runPhysics(0.1);

@@ -14,7 +14,7 @@ namespace cyclone {
 
 /// A surface: force = R·A·Rᵀ·(velocity + windspeed), at a point of the body. It may resist as strongly as it
 /// likes, see ForceGenerator::addResistance.
-class CYCLONE_API Aero : public ForceGenerator {
+class CYCLONE_API Aero : public PointForce {
 public:
     /// Tensor A in N·s/m and position in m, body coordinates, finite. windspeed in m/s, world coordinates, is
     /// read at each frame and must live as long as the surface acts; null is still air.
@@ -27,23 +27,19 @@ public:
 
     /// A wind that differs from place to place, read where the surface is, on top of windspeed: the flow is
     /// the velocity + windspeed − the field's. It must live as long as the surface acts; null is none.
-    void setWind(const WindField *field) { wind = field; }
+    void setWind(const WindField *field) { windField = field; }
 
     /// The tensor in use now, body coordinates.
     const Matrix3 &getTensor() const { return tensor; }
-    Vector3 getPosition() const { return position; }
 
-    /// The force on the body as it moves now, N, world coordinates.
-    Vector3 getForce(const RigidBody &body) const {
+    Vector3 getForce(const RigidBody &body) const override {
         Vector3 flow = body.getVelocity();
         if (windspeed != nullptr) flow += *windspeed;
-        if (wind != nullptr) flow -= wind->getVelocity(body.getPointInWorldSpace(position));
+        if (windField != nullptr) flow -= windField->getVelocity(body.getPointInWorldSpace(position));
         if (rotationalFlow) flow += body.getRotation() % body.getDirectionInWorldSpace(position);
         return body.getDirectionInWorldSpace(tensor * body.getDirectionInLocalSpace(flow));
     }
-
     void updateForce(RigidBody *body, real duration) override;
-    bool actsOnItsBodyOnly() const override { return true; }
     void addResistance(const RigidBody &body, Resistance &sum) const override;
 
 protected:
@@ -53,9 +49,8 @@ protected:
 
     Matrix3 tensor;
     real tensorSize;  ///< at least the tensor's norm
-    Vector3 position;
     const Vector3 *windspeed;
-    const WindField *wind = nullptr;
+    const WindField *windField = nullptr;
     bool rotationalFlow = false;
 };
 

@@ -90,6 +90,15 @@ public:
     /// At once, whatever the step.
     void addVelocity(const Vector3 &change);
     void addRotation(const Vector3 &change);
+    /// At once, whatever the step: impulses (N·s) in world coordinates, at the centre of mass or at a point.
+    /// They do nothing to immovable bodies, nor about locked axes.
+    void addImpulse(const Vector3 &impulse);
+    void addImpulseAtPoint(const Vector3 &impulse, const Vector3 &worldPoint);
+    /// How fast the body moves at a point that it carries with it (m/s): velocity + rotation × (worldPoint −
+    /// position).
+    Vector3 getVelocityAtPoint(const Vector3 &worldPoint) const {
+        return velocity + rotation % (worldPoint - getPosition());
+    }
     /// About the centre of mass, world coordinates, kg·m²/s; of an immovable body zero.
     Vector3 getAngularMomentum() const { return angularMomentum; }
 

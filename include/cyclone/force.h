@@ -61,6 +61,31 @@ protected:
     ForceGenerator &operator=(const ForceGenerator &) = default;
 };
 
+/// A generator whose force acts at one point of the body: a surface, a hull, an engine. A game that draws or
+/// sounds forces asks all of them alike.
+class CYCLONE_API PointForce : public ForceGenerator {
+public:
+    /// On this body as it lies and moves now, N, world coordinates.
+    virtual Vector3 getForce(const RigidBody &body) const = 0;
+    /// The point of this body where it acts, body coordinates, m.
+    virtual Vector3 getPointOn(const RigidBody &) const { return position; }
+    /// The same as it was constructed; only a spring between two bodies acts at different points of them.
+    Vector3 getPosition() const { return position; }
+
+    void updateForce(RigidBody *body, real duration) override;
+    bool actsOnItsBodyOnly() const override { return true; }
+
+protected:
+    /// At the centre of mass.
+    PointForce() = default;
+    /// At this point, body coordinates, m, finite.
+    explicit PointForce(const Vector3 &position);
+    /// For derived classes: `function` is whose argument it is.
+    PointForce(const char *function, const Vector3 &position);
+
+    Vector3 position;
+};
+
 class JobSystem;
 namespace detail {
 class Registrations;
@@ -150,36 +175,83 @@ private:
 
 /// Gravity as a force: mass·acceleration. For most games RigidBody::setAcceleration does the same for less.
 /// Nothing acts on immovable bodies.
-class CYCLONE_API Gravity : public ForceGenerator {
+class CYCLONE_API Gravity : public PointForce {
 public:
     /// m/s², world coordinates.
     explicit Gravity(const Vector3 &acceleration = Vector3::GRAVITY);
-    void updateForce(RigidBody *body, real duration) override;
-    bool actsOnItsBodyOnly() const override { return true; }
+    Vector3 getForce(const RigidBody &body) const override;
 
 private:
     Vector3 acceleration;
 };
 
-/// Drag at the centre of mass, against the velocity v: −v/|v|·(k1·|v| + k2·|v|²). It may be as strong as it
-/// likes, see ForceGenerator::addResistance.
-class CYCLONE_API Drag : public ForceGenerator {
+class WindField;
+
+/// Drag at the centre of mass, against the velocity v through the air: −v/|v|·(k1·|v| + k2·|v|²). It may be
+/// as strong as it likes, see ForceGenerator::addResistance.
+class CYCLONE_API Drag : public PointForce {
 public:
     /// k1 in N·s/m, k2 in N·s²/m²; finite and not negative.
     Drag(real k1, real k2);
+
+    /// The wind, see wind.h, read at the centre of mass: v is the body's velocity − the field's. It must live
+    /// as long as the drag acts; null is still air.
+    void setWind(const WindField *field) { windField = field; }
+
+    Vector3 getForce(const RigidBody &body) const override;
     void updateForce(RigidBody *body, real duration) override;
-    bool actsOnItsBodyOnly() const override { return true; }
     void addResistance(const RigidBody &body, Resistance &sum) const override;
 
 private:
+    Vector3 getFlow(const RigidBody &body) const;
+
     real k1, k2;
+    const WindField *windField = nullptr;
 };
 
-/// A spring from a point of the body to a point of another: along the line d between them −k(|d| − L)·d/|d|,
-/// pulling when stretched, pushing when compressed; at zero length no force. It acts on the body that it is
-/// registered for. For the other, register its mirror image, or tell the constructor both bodies and register
-/// it for both; World::createSpring does so.
-class CYCLONE_API Spring : public ForceGenerator {
+/// What pulls a point of the body towards a far end, along the line d from there: −T·d/|d| with the tension
+///
+///     T = k·(|d| − L) + c·d|d|/dt
+///
+/// Stretched it pulls, compressed it pushes; at zero length there is no force. A step is stable while
+/// duration < 2/√(k/m), and c/m·duration < 1, with 1/m the sum of the inverse masses of both ends.
+class CYCLONE_API ElasticForce : public PointForce {
+public:
+    /// k, N/m; finite and not negative.
+    void setSpringConstant(real newtonsPerMetre);
+    real getSpringConstant() const { return springConstant; }
+    /// L, m; finite and not negative.
+    void setRestLength(real metres);
+    real getRestLength() const { return restLength; }
+    /// c, N·s/m, for the motion of the two ends along the line; finite and not negative. 0 by default.
+    void setDamping(real newtonSecondsPerMetre);
+    real getDamping() const { return damping; }
+
+    /// As it is stretched between the body and the far end now: |d|, m, and T, N.
+    real getLength(const RigidBody &body) const { return getLine(body).separation.magnitude(); }
+    real getTension(const RigidBody &body) const { return tensionOf(getLine(body)); }
+    Vector3 getForce(const RigidBody &body) const override;
+
+protected:
+    /// From the far end to the body's, m, and how fast that changes, m/s; world coordinates.
+    struct Line {
+        Vector3 separation, velocity;
+    };
+
+    /// For derived classes: `function` is whose arguments they are.
+    ElasticForce(const char *function, const Vector3 &connectionPoint, real springConstant, real restLength);
+    virtual Line getLine(const RigidBody &body) const = 0;
+    virtual real tensionOf(const Line &line) const;
+
+private:
+    real springConstant, restLength;
+    real damping = 0;
+};
+
+/// From a point of the body to a point of another. It acts on the body that it is registered for. For the
+/// other, register its mirror image, or tell the constructor both bodies and register it for both;
+/// World::createSpring does so.
+class CYCLONE_API Spring : public ElasticForce {
 public:
     /// Points in body coordinates, `other` not null and alive as long as the spring acts, springConstant k in
     /// N/m and restLength L in m, finite and not negative.
@@ -190,28 +262,20 @@ public:
            const Vector3 &otherConnectionPoint, real springConstant, real restLength);
 
     const RigidBody *getOtherBody(const RigidBody *body) const override;
-    void updateForce(RigidBody *body, real duration) override;
-    bool actsOnItsBodyOnly() const override { return true; }
+    Vector3 getPointOn(const RigidBody &body) const override;
 
 protected:
     /// For derived classes: `function` is whose arguments they are, and a null body one that is not told.
     Spring(const char *function, const RigidBody *body, const Vector3 &connectionPoint,
            const RigidBody *other, const Vector3 &otherConnectionPoint, real springConstant, real restLength);
-    /// The point of the body where it acts, body coordinates.
-    Vector3 getPointOn(const RigidBody &body) const;
-    /// From the other body's point to this body's, world coordinates.
-    Vector3 getSeparation(const RigidBody &body) const;
+    Line getLine(const RigidBody &body) const override;
 
 private:
     bool isOther(const RigidBody &body) const { return &body == other && firstBody != nullptr; }
 
     const RigidBody *firstBody;  ///< null: whichever it is registered for
-    Vector3 connectionPoint;
     const RigidBody *other;
     Vector3 otherConnectionPoint;
-
-protected:
-    real springConstant, restLength;
 };
 
 /// A spring that only pulls: slack, it does nothing.
@@ -222,23 +286,26 @@ public:
            real springConstant, real restLength);
     Bungee(const RigidBody *body, const Vector3 &connectionPoint, const RigidBody *other,
            const Vector3 &otherConnectionPoint, real springConstant, real restLength);
-    void updateForce(RigidBody *body, real duration) override;
+
+protected:
+    real tensionOf(const Line &line) const override;
 };
 
-/// A spring from a point of the body to a fixed point of the world.
-class CYCLONE_API AnchoredSpring : public ForceGenerator {
+/// From a point of the body to a fixed point of the world.
+class CYCLONE_API AnchoredSpring : public ElasticForce {
 public:
     /// connectionPoint in body coordinates, anchor in world coordinates; constants as for Spring.
     AnchoredSpring(const Vector3 &connectionPoint, const Vector3 &anchor, real springConstant,
                    real restLength);
+    /// For the damping, the anchor counts as at rest wherever it is moved.
     void setAnchor(const Vector3 &worldPoint);
     Vector3 getAnchor() const { return anchor; }
-    void updateForce(RigidBody *body, real duration) override;
-    bool actsOnItsBodyOnly() const override { return true; }
+
+protected:
+    Line getLine(const RigidBody &body) const override;
 
 private:
-    Vector3 connectionPoint, anchor;
-    real springConstant, restLength;
+    Vector3 anchor;
 };
 
 }  // namespace cyclone

@@ -3,12 +3,13 @@
 /// @file
 /// What drives vehicles: a thruster and a propeller.
 #include <cyclone/force.h>
+#include <cyclone/wind.h>
 
 namespace cyclone {
 
 /// A push of throttle·maxForce along a direction that is fixed to the body: a rocket, a jet, an outboard
 /// motor.
-class CYCLONE_API Thruster : public ForceGenerator {
+class CYCLONE_API Thruster : public PointForce {
 public:
     /// Direction of the push (any length but zero) and where it acts, m, in body coordinates; maxForce in N,
     /// finite and not negative. The throttle is closed at first.
@@ -21,17 +22,13 @@ public:
     void setDirection(const Vector3 &bodyDirection);
     Vector3 getDirection() const { return direction; }
 
-    /// The force on the body as it moves now, N, world coordinates.
-    virtual Vector3 getForce(const RigidBody &body) const;
-
-    void updateForce(RigidBody *body, real duration) override;
-    bool actsOnItsBodyOnly() const override { return true; }
+    Vector3 getForce(const RigidBody &body) const override;
 
 protected:
     /// For derived classes: `function` is whose arguments they are.
     Thruster(const char *function, const Vector3 &direction, const Vector3 &position, real maxForce);
 
-    Vector3 direction, position;
+    Vector3 direction;
     real maxForce;
     real throttle = 0;
 };
@@ -44,6 +41,10 @@ public:
     /// As Thruster. pitchSpeed in m/s, positive: pitch times revolutions. windspeed as for Aero.
     Propeller(const Vector3 &direction, const Vector3 &position, real maxForce, real pitchSpeed,
               const Vector3 *windspeed);
+
+    /// A wind that differs from place to place, as Aero::setWind, read where the push acts.
+    void setWind(const WindField *field) { windField = field; }
+
     Vector3 getForce(const RigidBody &body) const override;
     void updateForce(RigidBody *body, real duration) override;
     void addResistance(const RigidBody &body, Resistance &sum) const override;
@@ -51,6 +52,7 @@ public:
 private:
     real pitchSpeed;
     const Vector3 *windspeed;
+    const WindField *windField = nullptr;
 };
 
 }  // namespace cyclone

@@ -45,7 +45,8 @@ CYCLONE_API const char *findSnapshotError(const Snapshot &snapshot, std::size_t 
 CYCLONE_API void readSnapshot(const Snapshot &snapshot, RigidBody *const *bodies, std::size_t count,
                               const char *function = "readSnapshot");
 
-/// A number that depends on every bit of the states: two machines whose numbers agree are in step.
+/// A number that depends on every bit of the states, save for the sign of zeros, which no motion depends on:
+/// two machines whose numbers agree are in step.
 CYCLONE_API std::uint64_t hashStates(RigidBody *const *bodies, std::size_t count);
 
 }  // namespace cyclone

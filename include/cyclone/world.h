@@ -161,7 +161,7 @@ private:
     void requireNotParallel(const char *function) const;
     void requireIdle(const char *function) const;
     void append(RigidBody *body);
-    void detach(RigidBody *body);
+    std::uint64_t detach(RigidBody *body);
     void endBody(RigidBody *body, std::uint64_t born);
     void freeEndedBodies();
     void ownForce(std::unique_ptr<ForceGenerator> force, RigidBody *body, RigidBody *other,

@@ -42,7 +42,10 @@ Matrix3 diagonal(real a, real b, real c) {
 
 }  // namespace
 
-Scene::Scene(std::size_t threads) {
+Scene::Scene(std::size_t threads, int swarmSize) {
+    air.add(&shear);
+    air.add(&thermal);
+    air.add(&gusts);
     sea.addTrain({0.25, 9, 0.3, 0});
     sea.addTrain({0.1, 4, 1.2, 0.7});
     for (int n = 0; n < 4; ++n) addAircraft(Vector3(40.0 * n, 100, 0));
@@ -56,7 +59,7 @@ Scene::Scene(std::size_t threads) {
     addTop(Vector3(4, 0, 120), Vector3(6000, 1, 20));  // more than 64 rad a step
     addTop(Vector3(6, 0, 120), Vector3(5, 12, -8));
     for (int n = 0; n < 6; ++n) addSleeper(Vector3(2.0 * n, 0, 140));
-    addSwarm(250);
+    addSwarm(swarmSize);
     visitor.setPosition(0, 0, 160);
     visitor.setRotation(1, 2, 3);
     world.setWorkers(threads);
@@ -87,13 +90,17 @@ void Scene::addAircraft(const Vector3 &position) {
     const auto addWing = [&](const Matrix3 &base, const Matrix3 &min, const Matrix3 &max, const Vector3 &at) {
         wings.push_back(act<AeroControl>(body, base, min, max, at, &wind));
         wings.back()->setRotationalFlow(true);
+        wings.back()->setWind(&air);
     };
     addWing(TAILPLANE, WING_UP, WING_DOWN, Vector3(0.05, 0.1, -0.8));
     addWing(TAILPLANE, WING_UP, WING_DOWN, Vector3(0.05, 0.1, 0.8));
     addWing(RUDDER, RUDDER_PORT, RUDDER_STARBOARD, Vector3(-1.4, 0.1, 0));
     act<Aero>(body, TAILPLANE, Vector3(-1.2, 0.1, 0), &wind)->setRotationalFlow(true);
-    act<Drag>(body, 0.01, 0.02);
-    thrusters.push_back(act<Propeller>(body, Vector3(1, 0, 0.01), Vector3(0.6, -0.02, 0), 20.0, 14.0, &wind));
+    act<Drag>(body, 0.01, 0.02)->setWind(&air);
+    Propeller *const propeller =
+        act<Propeller>(body, Vector3(1, 0, 0.01), Vector3(0.6, -0.02, 0), 20.0, 14.0, &wind);
+    propeller->setWind(&air);
+    thrusters.push_back(propeller);
 }
 
 void Scene::addBoat(const Vector3 &position, bool onWaves) {
@@ -188,8 +195,10 @@ void Scene::addSwarm(int count) {
         swarm.push_back(body);
         registerAction(body, &gravity);
         const real k1 = random.between(0.1, 0.4), k2 = random.between(0.05, 0.1);
-        act<Drag>(body, k1, k2);
-        act<Aero>(body, diagonal(-0.2, -0.3, -0.1), random.vector(0.3), &wind)->setRotationalFlow(n % 3 == 0);
+        Drag *const drag = act<Drag>(body, k1, k2);
+        Aero *const wing = act<Aero>(body, diagonal(-0.2, -0.3, -0.1), random.vector(0.3), &wind);
+        wing->setRotationalFlow(n % 3 == 0);
+        swarmForces.push_back({&gravity, drag, wing});
         if (n % 2 == 0) {
             const Vector3 anchor = body->getPosition() + random.vector(3);
             act<AnchoredSpring>(body, random.vector(0.3), anchor, 15.0, 1.0);
@@ -243,6 +252,8 @@ void Scene::step() {
 void Scene::moveControls() {
     wind = Vector3(-4 + real_sin(0.7 * time), 0.3 * real_sin(1.9 * time), 2 * real_cos(0.3 * time));
     current = Vector3(0.2, 0, 0.3 * real_sin(0.1 * time));
+    thermal.setFoot(Vector3(60 + 2 * time, -20, 0));
+    makeGust();
     sea.setTime(time);
     for (std::size_t n = 0; n < wings.size(); ++n)
         wings[n]->setControl(1.1 * real_sin(0.9 * time + static_cast<real>(n)));
@@ -253,6 +264,12 @@ void Scene::moveControls() {
         thrusters[n]->setThrottle(0.5 + 0.6 * real_sin(0.4 * time + static_cast<real>(n)));
         thrusters[n]->setDirection(Vector3(1, 0.05 * real_sin(time), 0.1 * real_cos(time)));
     }
+}
+
+/// Other gusts every few frames, so that those of a frame follow from its number alone.
+void Scene::makeGust() {
+    gusts = Turbulence(8, static_cast<std::uint64_t>(frame / 16));
+    for (int n = 0; n <= frame % 16; ++n) gusts.advance(Vector3(14, 0, 3 * real_sin(time)), 100, 1.0 / 60);
 }
 
 void Scene::addForces() {
@@ -302,11 +319,11 @@ void Scene::changeBodies() {
             world.addBody(&visitor);
         visitorIsIn = !visitorIsIn;
     } else {
-        RigidBody *&place = swarm[static_cast<std::size_t>(frame / 211) * 11 % swarm.size()];
-        world.destroyBody(place);
-        place = world.createBody();
-        setUpSwarmBody(place);
-        world.getForceRegistry().add(place, &gravity);
+        const std::size_t place = static_cast<std::size_t>(frame / 211) * 11 % swarm.size();
+        world.destroyBody(swarm[place]);
+        swarm[place] = world.createBody();
+        setUpSwarmBody(swarm[place]);
+        for (ForceGenerator *force : swarmForces[place]) world.getForceRegistry().add(swarm[place], force);
     }
 }
 

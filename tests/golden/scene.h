@@ -38,7 +38,7 @@ private:
 /// its own, steered by inputs that depend on nothing but the frame's number.
 class Scene {
 public:
-    explicit Scene(std::size_t threads = 0);
+    explicit Scene(std::size_t threads = 0, int swarmSize = 250);
     Scene(const Scene &) = delete;
     Scene &operator=(const Scene &) = delete;
 
@@ -95,6 +95,7 @@ private:
     void addSwarm(int count);
 
     void moveControls();
+    void makeGust();
     void addForces();
     void useSetters();
     void changeRegistrations();
@@ -105,6 +106,10 @@ private:
     int frame = 0;
 
     Vector3 wind{-4, 0, 1}, current{0.2, 0, -0.1};
+    cyclone::WindGradient shear{Vector3(1, 0, 0.5), 10};
+    cyclone::Thermal thermal{Vector3(60, -20, 0), 3, 80, 900};
+    cyclone::Turbulence gusts{8};
+    cyclone::WindSum air;
     cyclone::Waves sea;
     cyclone::Gravity gravity;
     std::deque<RigidBody> storage;
@@ -115,6 +120,7 @@ private:
     std::vector<cyclone::AngledAero *> sails;
     std::vector<cyclone::Thruster *> thrusters;
     std::vector<RigidBody *> links, doors, sleepers, swarm;
+    std::vector<std::vector<cyclone::ForceGenerator *>> swarmForces;  ///< by place in the swarm
     RigidBody *platform = nullptr;
     RigidBody visitor;
     bool visitorIsIn = false;

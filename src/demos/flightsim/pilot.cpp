@@ -1,6 +1,6 @@
 #include "flightsim/pilot.h"
 
-namespace demo {
+namespace flightsim {
 
 using cyclone::real_clamp;
 using cyclone::REAL_PI;
@@ -199,4 +199,4 @@ FlightControls Pilot::fly(const Aircraft &aircraft, real duration) {
     return sticks;
 }
 
-}  // namespace demo
+}  // namespace flightsim

@@ -5,7 +5,7 @@
 
 #include <string>
 
-namespace demo {
+namespace flightsim {
 
 /// The runway lies along +X at z = 0. The pilot knows what a pilot sees (position, velocity, attitude) but
 /// not the wind.
@@ -31,4 +31,4 @@ private:
     real throttleTrim = 0;  ///< what holdClimb has learnt
 };
 
-}  // namespace demo
+}  // namespace flightsim

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-namespace demo {
+namespace sailboat {
 
 namespace {
 
@@ -97,7 +97,7 @@ void HullResistance::updateForce(RigidBody *body, real) {
     body->addForceAtBodyPoint(getForce(*body), centre);
 }
 
-Catamaran::Catamaran(cyclone::World *w, const Vector3 *wind, const cyclone::Water *surface)
+Catamaran::Catamaran(cyclone::World &w, const Vector3 *wind, const cyclone::Water *surface)
     : world(w),
       windspeed(wind),
       water(surface),
@@ -107,8 +107,8 @@ Catamaran::Catamaran(cyclone::World *w, const Vector3 *wind, const cyclone::Wate
                   makeResistance(&hulls[3], 3)},
       sail(SAIL, SAIL_CENTRE, wind),
       rudder(RUDDER, RUDDER_CENTRE, nullptr) {
-    world->addBody(&body);
-    cyclone::ForceRegistry &forces = world->getForceRegistry();
+    world.addBody(&body);
+    cyclone::ForceRegistry &forces = world.getForceRegistry();
     for (Buoyancy &hull : hulls) {
         hull.setWater(water);
         forces.add(&body, &hull);
@@ -121,7 +121,7 @@ Catamaran::Catamaran(cyclone::World *w, const Vector3 *wind, const cyclone::Wate
     launch(0, 0, 0);
 }
 
-Catamaran::~Catamaran() { world->removeBody(&body); }
+Catamaran::~Catamaran() { world.removeBody(&body); }
 
 void Catamaran::launch(real x, real z, real heading, real speed) {
     const real carried = body.getMass() / (1000 * 4 * HALF_HULL_VOLUME);
@@ -185,4 +185,4 @@ real Catamaran::getApparentWindSpeed() const {
 
 bool Catamaran::isCapsized() const { return body.getDirectionInWorldSpace(Vector3::Y).y < 0; }
 
-}  // namespace demo
+}  // namespace sailboat

@@ -11,7 +11,7 @@
 
 #include <array>
 
-namespace demo {
+namespace sailboat {
 
 using cyclone::Quaternion;
 using cyclone::real;
@@ -68,7 +68,7 @@ public:
 
     /// Adds the boat and its forces to the world, at rest, afloat at the origin, bow to the north. The wind
     /// (see aero.h) and the water are read at each step. All three must outlive the boat.
-    Catamaran(cyclone::World *world, const Vector3 *windspeed, const cyclone::Water *water);
+    Catamaran(cyclone::World &world, const Vector3 *windspeed, const cyclone::Water *water);
     ~Catamaran();
     Catamaran(const Catamaran &) = delete;
     Catamaran &operator=(const Catamaran &) = delete;
@@ -116,7 +116,7 @@ public:
 private:
     Vector3 getApparentWind() const;
 
-    cyclone::World *world;
+    cyclone::World &world;
     const Vector3 *windspeed;
     const cyclone::Water *water;
     cyclone::RigidBody body;
@@ -126,4 +126,4 @@ private:
     real rudderAngle = 0, sailAngle = 0;
 };
 
-}  // namespace demo
+}  // namespace sailboat

@@ -6,6 +6,7 @@
 #include <cmath>
 
 using namespace demo;
+using namespace flightsim;
 
 namespace {
 
@@ -126,11 +127,10 @@ TEST(DemoFlight, TheWindComesFromWhereItIsSaid) {
     EXPECT_NEAR(flight.getFrame().windspeed.z, 3, 1e-12);
 }
 
-TEST(DemoFlight, AFrameHasWhatTheProfilePromises) {
+TEST(DemoFlight, AFrameHasWhatTheScenePromises) {
     Flight flight;
     const Frame frame = flight.getFrame();
-    EXPECT_EQ(frame.poses.size(), flight.getProfile().parts.size());
-    EXPECT_EQ(frame.values.size(), flight.getProfile().quantities.size());
+    EXPECT_EQ(frame.poses.size(), countParts(flight.getScene()));
     EXPECT_TRUE(frame.cut);
 }
 
@@ -144,6 +144,6 @@ TEST(DemoControls, StayInTheirRangeAndCentre) {
     flight.centreControls();
     EXPECT_EQ(flight.getControl(Flight::ROLL), 0);
     EXPECT_EQ(flight.getControl(Flight::THROTTLE), 1) << "the throttle stays";
-    flight.resetControls();
+    flight.startOver();
     EXPECT_EQ(flight.getControl(Flight::THROTTLE), 0);
 }
