@@ -21,6 +21,9 @@ class Game {
 public:
     Game(std::size_t threads, bool hasCrowd) {
         waves.addTrain({0.5, 20, 0.3, 1});
+        air.add(&breeze);
+        air.add(&thermal);
+        air.add(&turbulence);
         world.setWorkers(threads);
         // Below some thousands a world stays on one thread.
         for (int n = 0; hasCrowd && n < 4100; ++n) {
@@ -133,68 +136,111 @@ private:
         ForceRegistry &registry = world.getForceRegistry();
         RigidBody *const its = body(input);
         if (its == nullptr || registry.size() > crowd + MOST_FORCES) return registry.clear();
-        const Vector3 *const wind = input.flag() ? &windspeed : nullptr;
-        switch (input.below(18)) {
+        switch (input.below(4)) {
             case 0:
-                world.createForce<Gravity>(its, input.vector());
-                return;
+                return callSprings(*its, input);
             case 1:
-                world.createForce<Drag>(its, input.number(), input.number());
-                return;
+                return callSurfaces(*its, input);
             case 2:
-                world.createSpring<Spring>(its, input.vector(), body(input), input.vector(), input.number(),
-                                           input.number());
-                return;
+                return callEngines(*its, input);
+            default:
+                return callRegistry(*its, input);
+        }
+    }
+
+    void callSprings(RigidBody &its, Input &input) {
+        switch (input.below(5)) {
+            case 0:
+                return damp(spring<Spring>(its, input), input);
+            case 1:
+                return damp(spring<Bungee>(its, input), input);
+            case 2:
+                return damp(world.createForce<AnchoredSpring>(&its, input.vector(), input.vector(),
+                                                              input.number(), input.number()),
+                            input);
             case 3:
-                world.createSpring<Bungee>(its, input.vector(), body(input), input.vector(), input.number(),
-                                           input.number());
-                return;
-            case 4:
-                world.createForce<AnchoredSpring>(its, input.vector(), input.vector(), input.number(),
-                                                  input.number());
-                return;
-            case 5:
-                world.createForce<Aero>(its, input.matrix(), input.vector(), wind)
-                    .setRotationalFlow(input.flag());
-                return;
-            case 6:
-                world
-                    .createForce<AeroControl>(its, input.matrix(), input.matrix(), input.matrix(),
+                return anchored.setAnchor(input.vector());
+            default:
+                return damp(anchored, input);
+        }
+    }
+    template <class Kind>
+    Kind &spring(RigidBody &its, Input &input) {
+        const Vector3 here = input.vector(), there = input.vector();
+        return world.createSpring<Kind>(&its, here, body(input), there, input.number(), input.number());
+    }
+    void damp(ElasticForce &force, Input &input) {
+        force.setDamping(input.number());
+        if (input.flag()) force.setRestLength(input.number());
+        if (input.flag()) force.setSpringConstant(input.number());
+    }
+
+    void callSurfaces(RigidBody &its, Input &input) {
+        const Vector3 *const wind = input.flag() ? &windspeed : nullptr;
+        const WindField *const field = input.flag() ? &air : nullptr;
+        switch (input.below(5)) {
+            case 0:
+                return world.createForce<Drag>(&its, input.number(), input.number()).setWind(field);
+            case 1: {
+                Aero &aero = world.createForce<Aero>(&its, input.matrix(), input.vector(), wind);
+                aero.setWind(field);
+                return aero.setRotationalFlow(input.flag());
+            }
+            case 2:
+                return world
+                    .createForce<AeroControl>(&its, input.matrix(), input.matrix(), input.matrix(),
                                               input.vector(), wind)
                     .setControl(input.number());
-                return;
-            case 7:
-                world.createForce<AngledAero>(its, input.matrix(), input.vector(), wind)
+            case 3:
+                return world.createForce<AngledAero>(&its, input.matrix(), input.vector(), wind)
                     .setOrientation(input.quaternion());
-                return;
-            case 8:
-                world
-                    .createForce<Buoyancy>(its, input.vector(), input.number(), input.number(),
+            default: {
+                Wing &wing =
+                    world.createForce<Wing>(&its, input.number(), input.number(), input.vector(), wind);
+                wing.setWind(field);
+                wing.setFlap(input.number(), input.number());
+                wing.setControl(input.number());
+                return wing.setOrientation(input.quaternion());
+            }
+        }
+    }
+
+    void callEngines(RigidBody &its, Input &input) {
+        const Vector3 *const wind = input.flag() ? &windspeed : nullptr;
+        switch (input.below(4)) {
+            case 0:
+                return world
+                    .createForce<Buoyancy>(&its, input.vector(), input.number(), input.number(),
                                            input.number(), input.number(), input.number())
                     .setWater(input.flag() ? &waves : nullptr);
-                return;
-            case 9:
-                world.createForce<Thruster>(its, input.vector(), input.vector(), input.number())
+            case 1:
+                return world.createForce<Thruster>(&its, input.vector(), input.vector(), input.number())
                     .setThrottle(input.number());
-                return;
-            case 10:
-                world
-                    .createForce<Propeller>(its, input.vector(), input.vector(), input.number(),
+            case 2:
+                return world
+                    .createForce<Propeller>(&its, input.vector(), input.vector(), input.number(),
                                             input.number(), wind)
                     .setThrottle(input.number());
-                return;
-            case 11:
-                return registry.add(its, &drag);
-            case 12:
-                return registry.remove(its, &drag);
-            case 13:
-                return registry.remove(its);
-            case 14:
-                return registry.add(its, &anchored);
-            case 15:
-                return anchored.setAnchor(input.vector());
-            case 16:
+            default:
+                world.createForce<Gravity>(&its, input.vector());
+        }
+    }
+
+    void callRegistry(RigidBody &its, Input &input) {
+        ForceRegistry &registry = world.getForceRegistry();
+        switch (input.below(7)) {
+            case 0:
+                return registry.add(&its, &drag);
+            case 1:
+                return registry.remove(&its, &drag);
+            case 2:
+                return registry.remove(&its);
+            case 3:
+                return registry.add(&its, &anchored);
+            case 4:
                 return waves.setTime(input.number());
+            case 5:
+                return turbulence.advance(input.vector(), input.number(), input.duration());
             default:
                 windspeed = input.vector();
         }
@@ -234,6 +280,10 @@ private:
     }
 
     Vector3 windspeed{1, 2, 3};
+    WindGradient breeze{Vector3(6, 0, 0), 10};
+    Thermal thermal{Vector3(3, 0, 0), 3, 80, 1200};
+    Turbulence turbulence{6};
+    WindSum air;
     Waves waves;
     Drag drag{0.1, 0.2};
     AnchoredSpring anchored{Vector3(), Vector3(1, 2, 3), 10, 1};

@@ -68,14 +68,11 @@ bool hasLockedAxis(const RigidBody &body) {
 void checkSteps(RigidBody &body) {
     const Vector3 momentum = body.getAngularMomentum();
     const bool isFree = !hasLockedAxis(body);
-    const real energy = momentum * body.getRotation();
     for (int n = 0; n < 60; ++n) {
         expect(body.integrate(1.0 / 60), "a free rotation at a sane speed does not fault");
         expect(body.getState().findError() == nullptr, "a body's state is possible");
         if (!isFree) continue;
         expect(body.getAngularMomentum() == momentum, "free rotation keeps the angular momentum");
-        expect(momentum * body.getRotation() >= 0, "the energy is not negative");
-        static_cast<void>(energy);
     }
 }
 

@@ -11,7 +11,7 @@ using namespace cyclone_fuzz;
 
 namespace {
 
-constexpr std::size_t BODIES = 3, HEADER = 24, WORD = 8;
+constexpr std::size_t BODIES = 3, HEADER = 64, WORD = 8;
 
 void fill(World &world) {
     for (std::size_t n = 0; n < BODIES; ++n) {
@@ -35,22 +35,39 @@ std::uint64_t load(const Snapshot &snapshot, std::size_t at) {
     return word;
 }
 
-/// The checksum that src/snapshot.cpp has: a damaged snapshot with a wrong one says nothing about the rest.
-void repairChecksum(Snapshot &snapshot) {
-    std::uint64_t sum = load(snapshot, 0);
-    for (std::size_t at = 0; at + WORD < snapshot.size(); at += WORD) {
-        sum = (sum ^ load(snapshot, at)) * 0x9e3779b97f4a7c15;
-        sum ^= sum >> 32;
+constexpr std::uint64_t MULTIPLIER = 0x9e3779b97f4a7c15;
+
+std::uint64_t swapHalves(std::uint64_t word) { return word >> 32 | word << 32; }
+
+/// As src/snapshot.cpp computes it: a damaged snapshot with a wrong one says nothing about the rest.
+std::uint64_t checksum(const Snapshot &snapshot) {
+    std::uint64_t lanes[] = {1, 2, 3, 4};
+    for (std::size_t at = 0; at + WORD < snapshot.size(); at += 8 * WORD)
+        for (std::size_t n = 0; n < 4; ++n) {
+            const std::uint64_t pair =
+                load(snapshot, at + n * WORD) ^ swapHalves(load(snapshot, at + (n + 4) * WORD));
+            lanes[n] = swapHalves((lanes[n] ^ pair) * MULTIPLIER);
+        }
+    std::uint64_t result = load(snapshot, 0);
+    for (const std::uint64_t lane : lanes) {
+        result = (result ^ lane) * MULTIPLIER;
+        result ^= result >> 32;
     }
+    return result;
+}
+
+void store(Snapshot &snapshot, std::size_t at, std::uint64_t word) {
     for (std::size_t n = 0; n < WORD; ++n)
-        snapshot.data()[snapshot.size() - WORD + n] = static_cast<std::uint8_t>(sum >> (8 * n));
+        snapshot.data()[at + n] = static_cast<std::uint8_t>(word >> (8 * n));
 }
 
 Snapshot damaged(const World &world, Input &input) {
     Snapshot snapshot;
     world.saveState(snapshot);
+    const std::size_t last = snapshot.size() - WORD;
+    expect(load(snapshot, last) == checksum(snapshot), "this target knows the checksum");
     while (!input.isAtEnd()) {
-        const std::size_t words = (snapshot.size() - HEADER) / WORD - 1;
+        const std::size_t words = (last - HEADER) / WORD;
         const std::size_t at = HEADER + WORD * ((input.byte() + 256u * input.byte()) % words);
         const std::uint8_t kind = input.byte();
         if (kind < 128) {  // one bit
@@ -60,10 +77,9 @@ Snapshot damaged(const World &world, Input &input) {
         const real value = input.number();
         std::uint64_t bits;
         std::memcpy(&bits, &value, sizeof bits);
-        for (std::size_t n = 0; n < WORD; ++n)
-            snapshot.data()[at + n] = static_cast<std::uint8_t>(bits >> (8 * n));
+        store(snapshot, at, bits);
     }
-    repairChecksum(snapshot);
+    store(snapshot, last, checksum(snapshot));
     return snapshot;
 }
 
