@@ -251,6 +251,27 @@ TEST(Limits, ZeroHasNoSignInAHash) {
     EXPECT_EQ(hashStates(bodies, 1), hashStates(bodies + 1, 1));
 }
 
+/// A step's orientation takes over what the principal axes are off; more than their own rounding would add
+/// up.
+TEST(Limits, PrincipalAxesThatAreNotQuiteUnitAreRefused) {
+    Random random(11);
+    for (int n = 0; n < 1000; ++n) {
+        RigidBody body;
+        const Matrix3 tilt = rotationMatrix(random.orientation());
+        body.setInertiaTensor(tilt * diagonal(2, 3, 4) * tilt.transpose());
+        body.setRotation(random.vector());
+        RigidBody::State state = body.getState();
+        expectPossible(body);
+        state.principalAxes.r *= 1 + random.between(-64, 64) * REAL_EPSILON;
+        if (state.findError() != nullptr) continue;
+        body.setState(state);
+        for (int step = 0; step < 10; ++step) {
+            body.integrate(H);
+            expectPossible(body);
+        }
+    }
+}
+
 // ---- Mass properties
 
 TEST(Limits, SumsOfMassPropertiesAreThoseOfRealThings) {

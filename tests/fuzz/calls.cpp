@@ -34,9 +34,9 @@ public:
         crowd = world.getBodies().size();
     }
 
-    /// One call. Its arguments may be refused, but then nothing has changed.
+    /// One call. Its arguments may be refused, but then no body has changed.
     void call(Input &input) {
-        const std::uint64_t before = crowd > 0 ? 0 : world.hash();
+        const std::uint64_t before = hashBodies();
         try {
             const unsigned which = input.below(8);
             if (which < 4)
@@ -46,14 +46,15 @@ public:
             else
                 callWorld(input);
         } catch (const std::invalid_argument &) {
-            expect(crowd > 0 || world.hash() == before, "a refused call changes nothing");
+            expect(hashBodies() == before, "a refused call changes nothing");
         }
     }
 
     void check() const {
         for (const RigidBody *body : world.getBodies()) {
             const RigidBody::State state = body->getState();
-            expect(state.findError() == nullptr, "a body's state is possible");
+            const char *const error = state.findError();
+            expect(error == nullptr, error);
             expect(real_abs(state.orientation.squareMagnitude() - 1) < 1e-12, "orientations are unit");
             expect(body->getTransform().getAxisVector(3) == state.position, "transforms are current");
         }
@@ -63,6 +64,10 @@ public:
     std::uint64_t hash() const { return world.hash(); }
 
 private:
+    std::uint64_t hashBodies() const {
+        const World::RigidBodies &bodies = world.getBodies();
+        return crowd > 0 ? 0 : hashStates(bodies.data(), bodies.size());
+    }
     RigidBody *body(Input &input) {
         const World::RigidBodies &bodies = world.getBodies();
         return bodies.empty()
@@ -310,7 +315,7 @@ std::uint64_t play(const std::uint8_t *bytes, std::size_t count, std::size_t thr
 bool isInCrowd(const std::uint8_t *bytes, std::size_t count) {
     std::uint32_t sum = 1;
     for (std::size_t n = 0; n < count; ++n) sum = (sum ^ bytes[n]) * 0x9e3779b1u;
-    return sum >> 22 == 0;
+    return count < 64 && sum >> 22 == 0;
 }
 
 }  // namespace

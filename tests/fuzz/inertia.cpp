@@ -70,7 +70,7 @@ void checkSteps(RigidBody &body) {
     const bool isFree = !hasLockedAxis(body);
     for (int n = 0; n < 60; ++n) {
         expect(body.integrate(1.0 / 60), "a free rotation at a sane speed does not fault");
-        expect(body.getState().findError() == nullptr, "a body's state is possible");
+        if (const char *error = body.getState().findError()) expect(false, error);
         if (!isFree) continue;
         expect(body.getAngularMomentum() == momentum, "free rotation keeps the angular momentum");
     }
@@ -85,7 +85,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t *bytes, std::size_t cou
         setInertia(body, input);
         if (input.flag()) body.setOrientation(input.quaternion());
         const Vector3 rotation = input.vector();
-        expect(body.getState().findError() == nullptr, "a body's state is possible");
+        if (const char *error = body.getState().findError()) expect(false, error);
         if (!(rotation.magnitude() <= 1e3)) return 0;
         body.setRotation(rotation);
     } catch (const std::invalid_argument &) {
