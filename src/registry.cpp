@@ -219,18 +219,19 @@ void ForceRegistry::callGenerator(std::size_t index, real duration) {
     /// Tells the body whose forces it is being given. The generator may end its own registration, and the
     /// body with it.
     struct Marker {
-        const Registrations &registrations;
+        ForceRegistry &registry;
         std::size_t index;
         RigidBody *body;
+        real duration;
         bool wasInGenerator;
         ~Marker() {
-            if (registrations[index].body == body) body->marks.inGenerator = wasInGenerator;
+            if ((*registry.registrations)[index].body != body) return;
+            body->marks.inGenerator = wasInGenerator;
+            if (body->mayBeStiff(duration)) registry.anyMayBeStiff.store(true, std::memory_order_relaxed);
         }
-    } const marker{*registrations, index, called.body, called.body->marks.inGenerator};
+    } const marker{*this, index, called.body, duration, called.body->marks.inGenerator};
     called.body->marks.inGenerator = true;
     called.generator->updateForce(called.body, duration);
-    if (!registrations->isGap(index) && called.body->mayBeStiff(duration))
-        anyMayBeStiff.store(true, std::memory_order_relaxed);
 }
 
 /// Makes the step implicit of those bodies whose first registration is one of these and whose generators
@@ -238,7 +239,8 @@ void ForceRegistry::callGenerator(std::size_t index, real duration) {
 void ForceRegistry::resist(std::size_t begin, std::size_t end, real duration) {
     for (std::size_t n = begin; n < end; ++n) {
         RigidBody *const body = (*registrations)[n].body;
-        if (body == nullptr || !registrations->isFirstOfBodySince(0, n) || !body->mayBeStiff(duration))
+        if (body == nullptr || !registrations->isFirstOfBodySince(0, n) || !body->awake ||
+            !body->mayBeStiff(duration))
             continue;
         Resistance sum;
         for (std::size_t its = n; its != Registrations::NONE;

@@ -50,8 +50,7 @@ bool isNotNegative(real value) { return value >= 0 && value <= REAL_MAX; }
 
 bool isDamping(real value) { return value >= 0 && value <= 1; }
 
-/// To within a few roundings.
-bool isUnit(const Quaternion &q) { return real_abs(q.squareMagnitude() - 1) <= 32 * REAL_EPSILON; }
+bool isUnit(const Quaternion &q, real tolerance) { return real_abs(q.squareMagnitude() - 1) <= tolerance; }
 
 /// One of the two was set, and the other computed from it. `infinite` is what has no inverse.
 bool areReciprocal(real value, real inverse, real infinite) {
@@ -91,12 +90,13 @@ bool isAtRest(const State &s) {
 
 const char *State::findError() const {
     if (!position.isFinite()) return "the position must be finite";
-    if (!isUnit(orientation)) return "the orientation must be a unit quaternion";
+    if (!isUnit(orientation, 32 * REAL_EPSILON)) return "the orientation must be a unit quaternion";
     if (!velocity.isFinite()) return "the velocity must be finite";
     if (!rotation.isFinite()) return "the rotation must be finite";
     if (!angularMomentum.isFinite()) return "the angular momentum must be finite";
     if (!acceleration.isFinite()) return "the acceleration must be finite";
-    if (!lastFrameAcceleration.isFinite()) return "the last frame's acceleration must be finite";
+    if (lastFrameAcceleration != lastFrameAcceleration)  // a sum of two finite ones may be infinite
+        return "the last frame's acceleration must be a number";
     if (!memory.acceleration.isFinite() || !memory.torque.isFinite())
         return "the remembered acceleration and torque must be finite";
     if (!isNotNegative(memory.linearKick) || !isNotNegative(memory.angularKick))
@@ -106,7 +106,7 @@ const char *State::findError() const {
         if (!areReciprocal(inertia[axis], inverseInertia[axis], 1 / real(0)))
             return "the moments of inertia must be positive and match their inverses";
     if (!areBearable(inertia)) return "the moments of inertia must not be extreme";
-    if (!isUnit(principalAxes)) return "the principal axes must be a unit quaternion";
+    if (!isUnit(principalAxes, 8 * REAL_EPSILON)) return "the principal axes must be a unit quaternion";
     if (!momentumFits(*this)) return "the angular momentum must match the rotation";
     if (!isDamping(linearDamping) || !isDamping(angularDamping)) return "the damping must be between 0 and 1";
     if (!isNotNegative(motion)) return "the motion must be finite and not negative";

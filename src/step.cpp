@@ -99,9 +99,8 @@ constexpr real MAX_SQUARE = RigidBody::MAX_SPEED * RigidBody::MAX_SPEED;
 
 /// Whether all numbers are finite and the speeds sane; whatever is not finite in orientation or angular
 /// momentum shows in the rotation.
-CYCLONE_INLINE bool isSound(const Vector3 &position, const Vector3 &velocity, const Vector3 &rotation,
-                            const Vector3 &acceleration) {
-    const Vector3 zero = (position - position) + (acceleration - acceleration);
+CYCLONE_INLINE bool isSound(const Vector3 &position, const Vector3 &velocity, const Vector3 &rotation) {
+    const Vector3 zero = position - position;
     return velocity.squareMagnitude() <= MAX_SQUARE && rotation.squareMagnitude() <= MAX_SQUARE &&
            zero.x + zero.y + zero.z == 0;
 }
@@ -120,8 +119,7 @@ CYCLONE_INLINE bool StepBlock::commit(const Entry &entry, const Quaternion &orie
     Vector3 velocity = entry.velocity;
     if (body.hasFiniteMass())
         velocity = velocity * body.linearFactor + entry.acceleration * body.memory.linearKick;
-    const Vector3 acceleration = entry.acceleration + entry.addedAcceleration;
-    if (!isSound(entry.position, velocity, rotation, acceleration)) {
+    if (!isSound(entry.position, velocity, rotation)) {
         fault(body);
         return false;
     }
@@ -130,7 +128,7 @@ CYCLONE_INLINE bool StepBlock::commit(const Entry &entry, const Quaternion &orie
     body.velocity = velocity;
     body.rotation = rotation;
     body.angularMomentum = angularMomentum;
-    body.lastFrameAcceleration = acceleration;
+    body.lastFrameAcceleration = entry.acceleration + entry.addedAcceleration;
     if (body.hasFiniteMass()) {
         body.memory.acceleration = entry.acceleration;
         body.memory.torque = body.generated.torque;

@@ -188,6 +188,59 @@ TEST(Limits, AnUnbearableSpringFaultsItsBodyAlone) {
     EXPECT_NEAR(bystander->getPosition().x, 2000 * H, 1e-9);
 }
 
+/// Whether a chain of masses, each bound to the next by a spring, stays together for a minute.
+bool holds(int masses, real springConstant, real kilograms) {
+    World world;
+    for (int n = 0; n < masses; ++n) {
+        world.createBody()->setMass(kilograms);
+        world.getBodies().back()->setPosition(n + 0.01 * (n % 2), 0, 0);
+        if (n > 0)
+            world.createSpring(world.getBodies()[static_cast<std::size_t>(n) - 1], Vector3(),
+                               world.getBodies().back(), Vector3(), springConstant, 1);
+    }
+    for (int n = 0; n < 3600; ++n) {
+        world.startFrame();
+        world.runPhysics(H);
+        for (const RigidBody *body : world.getBodies())
+            if (body->hasFaulted() || body->getVelocity().magnitude() > 1e3) return false;
+    }
+    return true;
+}
+
+/// ω² is k·(1/m₁ + 1/m₂) of a pair; of a long chain the fastest motion, neighbours against each other, has
+/// 4·k/m, of one of N masses 2·k/m·(1 + cos(π/N)).
+TEST(Limits, SpringsHoldUpToTwoOverOmega) {
+    const real kilograms = 3;
+    const auto constantFor = [&](real omegaSteps, real perMass) {
+        return omegaSteps * omegaSteps / (H * H) * kilograms / perMass;
+    };
+    EXPECT_TRUE(holds(2, constantFor(1.95, 2), kilograms));
+    EXPECT_FALSE(holds(2, constantFor(2.05, 2), kilograms));
+    const real ofTen = 2 * (1 + std::cos(REAL_PI / 10));
+    EXPECT_TRUE(holds(10, constantFor(1.95, ofTen), kilograms));
+    EXPECT_FALSE(holds(10, constantFor(2.05, ofTen), kilograms));
+}
+
+/// An explicit step has z + (ω·h/2)² < 1 for resistance and spring together; an implicit one any resistance.
+TEST(Limits, SpringsShareTheStepWithWeakResistance) {
+    const real omegaSteps = 1.5;
+    for (const real z : {0.0, 0.2, 0.4, 1.0, 3.0, 1e3, 1e9}) {
+        RigidBody body;
+        body.setPosition(1, 0, 0);
+        AnchoredSpring spring(Vector3(), Vector3(), omegaSteps * omegaSteps / (H * H), 0);
+        Drag drag(z / H, 0);
+        ForceRegistry registry;
+        registry.add(&body, &spring);
+        registry.add(&body, &drag);
+        for (int n = 0; n < 3000; ++n) {
+            registry.updateForces(H);
+            ASSERT_TRUE(body.integrate(H));
+            // Undamped, the scheme swings by at most 1/√(1 − (ω·h/2)²).
+            ASSERT_LE(body.getPosition().magnitude(), 1.55) << z;
+        }
+    }
+}
+
 // ---- Snapshots and hashes
 
 TEST(Limits, ZeroHasNoSignInAHash) {
@@ -196,6 +249,27 @@ TEST(Limits, ZeroHasNoSignInAHash) {
     minus.setAcceleration(0, -0.0, 0);
     RigidBody *const bodies[] = {&plus, &minus};
     EXPECT_EQ(hashStates(bodies, 1), hashStates(bodies + 1, 1));
+}
+
+/// A step's orientation takes over what the principal axes are off; more than their own rounding would add
+/// up.
+TEST(Limits, PrincipalAxesThatAreNotQuiteUnitAreRefused) {
+    Random random(11);
+    for (int n = 0; n < 1000; ++n) {
+        RigidBody body;
+        const Matrix3 tilt = rotationMatrix(random.orientation());
+        body.setInertiaTensor(tilt * diagonal(2, 3, 4) * tilt.transpose());
+        body.setRotation(random.vector());
+        RigidBody::State state = body.getState();
+        expectPossible(body);
+        state.principalAxes.r *= 1 + random.between(-64, 64) * REAL_EPSILON;
+        if (state.findError() != nullptr) continue;
+        body.setState(state);
+        for (int step = 0; step < 10; ++step) {
+            body.integrate(H);
+            expectPossible(body);
+        }
+    }
 }
 
 // ---- Mass properties

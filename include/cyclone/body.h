@@ -150,9 +150,8 @@ public:
     /// (N·s/m) and its torque to rotation (N·m·s). Where all of it together is too strong for an explicit
     /// step, the registry makes the step implicit, see ForceGenerator::addResistance.
     void addResistance(real linear, real angular) {
-        const Vector3 &i = inverseInertia;
-        const real larger = i.x > i.y ? i.x : i.y;
-        resistance += linear * inverseMass + angular * (larger > i.z ? larger : i.z);
+        resistance += linear * inverseMass;
+        if (angular != 0) resistance += angular * largestInverseMoment();
         hasGenerated = true;
     }
     /// Takes back what has been added since the last step.
@@ -269,11 +268,16 @@ private:
         (marks.inGenerator ? hasGenerated : hasAdded) = true;
         if (!awake) wakeForForce(force, torque);
     }
+    real largestInverseMoment() const {
+        const Vector3 &i = inverseInertia;
+        const real larger = i.x > i.y ? i.x : i.y;
+        return larger > i.z ? larger : i.z;
+    }
     void clearForces();
     /// Makes the coming step's kick implicit where it resists too strongly for an explicit one.
     void resist(const Resistance &sum, real duration);
     /// Whether that may be so.
-    bool mayBeStiff(real duration) const { return awake && resistance * duration > EXPLICIT_LIMIT; }
+    bool mayBeStiff(real duration) const { return resistance * duration > EXPLICIT_LIMIT; }
     /// The resistance·duration up to which steps are wholly explicit; from twice that on they are implicit.
     static constexpr real EXPLICIT_LIMIT = 0.5;
     void wakeForForce(const Vector3 &force, const Vector3 &torque);

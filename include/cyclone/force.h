@@ -49,10 +49,12 @@ public:
     virtual const RigidBody *getOtherBody(const RigidBody * /*body*/) const { return nullptr; }
 
     /// Adds how what updateForce adds answers to the motion of the body as it moves now. A generator that
-    /// tells so may resist motion as strongly as it likes, alone or with others, at any step; one that does
-    /// not is bound to |resistance|/mass·duration < 1. Called after all generators of a body, and only if
-    /// what they told RigidBody::addResistance may be too strong for an explicit step. To tell more than is
-    /// true is safe: the motion ends the same, only later.
+    /// tells so may resist motion as strongly as it likes, alone or with others, at any step. One that does
+    /// not is bound to z < 1, with z the sum of c·(1/mass + lever²/moment)·duration over the body's
+    /// generators; beside a spring, to z < 1 − (ω·duration/2)².
+    ///
+    /// Called after all generators of a body, and only if what they told RigidBody::addResistance may be too
+    /// strong for an explicit step. To tell more than is true is safe: the motion ends the same, only later.
     virtual void addResistance(const RigidBody &body, Resistance &sum) const;
 
 protected:

@@ -1,0 +1,29 @@
+#!/usr/bin/env bash
+# Fuzzes each target for so many seconds (30 by default) from the committed corpus, with the address and
+# undefined-behaviour sanitizers. Needs clang++ with its runtime (Debian: libclang-rt-14-dev). An input that fails is
+# printed in base64 and, where a build folder is given, left there as crash-*; <target> crash-* runs it again.
+#
+#     tests/fuzz/run.sh [seconds] [build folder]
+set -euo pipefail
+seconds=${1:-30}
+root=$(cd "$(dirname "$0")/../.." && pwd)
+work=${2:-$(mktemp -d)}
+[ $# -ge 2 ] || trap 'rm -rf "$work"' EXIT
+mkdir -p "$work"
+
+flags=(-std=c++17 -O1 -g -ffp-contract=off -fno-omit-frame-pointer -I"$root/include" -I"$root/src"
+    -fno-sanitize-recover=all)
+for source in "$root"/src/*.cpp; do
+    printf '%s\0' "$source"
+done | xargs -0 -P 2 -I{} bash -c 'source=$1 work=$2; shift 2
+    clang++ "$@" -c "$source" -o "$work/$(basename "$source").o"' _ {} "$work" "${flags[@]}" \
+    -fsanitize=fuzzer-no-link,address,undefined
+
+for target in calls snapshots inertia precision; do
+    clang++ "${flags[@]}" -fsanitize=fuzzer,address,undefined "$root/tests/fuzz/$target.cpp" "$work"/*.o -pthread \
+        -o "$work/$target"
+    mkdir -p "$work/corpus/$target"
+    echo "== $target, $seconds s"
+    (cd "$work" && "./$target" -max_total_time="$seconds" -timeout=30 -rss_limit_mb=1500 -max_len=600 -verbosity=0 \
+        -print_final_stats=1 "corpus/$target" "$root/tests/fuzz/corpus/$target")
+done
