@@ -349,7 +349,9 @@ TEST(Wing, NeverDrivesItsPointThroughStillAir) {
         body.setRotation(random.vector(5));
         const Vector3 velocity =
             body.getVelocity() + body.getRotation() % body.getDirectionInWorldSpace(wing.getPosition());
-        ASSERT_LT(wing.getForce(body) * velocity, 0) << n;
+        const real power = wing.getForce(body) * velocity;
+        ASSERT_LT(power, 0) << n;
+        ASSERT_LE(power + wing.getTorque(body) * body.getRotation(), -1e-12 * power) << n;
     }
 }
 
@@ -411,6 +413,8 @@ TEST(Wing, ForceActsAtItsPositionAndTheCoupleBesides) {
         RigidBody *body = world.createBody();
         body->setOrientation(random.orientation());
         body->setVelocity(random.vector(10));
+        body->setMass(1000);
+        body->setInertiaTensor(diagonal(1000, 1000, 1000));
         Wing wing(3, 1, random.vector(), nullptr);
         wing.setSection(cambered());
         const Vector3 force = wing.getForce(*body), couple = wing.getTorque(*body);
@@ -418,9 +422,18 @@ TEST(Wing, ForceActsAtItsPositionAndTheCoupleBesides) {
         EXPECT_GT(couple.magnitude(), 0);
         world.getForceRegistry().add(body, &wing);
         run(world, 1);
-        EXPECT_TRUE(isNear(body->getVelocity() - before, force * STEP, 1e-12));
+        EXPECT_TRUE(isNear(body->getVelocity() - before, force * (STEP / 1000), 1e-12));
         EXPECT_TRUE(isNear(body->getAngularMomentum(), (arm % force + couple) * STEP, 1e-12));
     }
+}
+
+TEST(Wing, PitchingIsDampedAsThinAirfoilTheorySays) {
+    // cm = −π/8·(q·chord/u) about the quarter chord.
+    Wing wing(6, 0.8, Vector3(), nullptr);
+    RigidBody body = flying(0);
+    body.setRotation(3, 2, 0.5);
+    const real pressure = 0.5 * RHO * 100, cm = -REAL_PI / 8 * 0.5 * 0.8 / 10;
+    EXPECT_TRUE(isNear(wing.getTorque(body), Vector3(0, 0, pressure * 6 * 0.8 * 0.8 * cm), 1e-12));
 }
 
 TEST(Wing, ControlTurnsTheFlap) {

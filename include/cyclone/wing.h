@@ -6,6 +6,7 @@
 /// The angle of attack is that between the chord and the flow across the span; positive when the flow meets
 /// the lower side. windspeed and WindField are those of aero.h.
 #include <cyclone/force.h>
+#include <cyclone/water.h>
 #include <cyclone/wind.h>
 
 namespace cyclone {
@@ -49,17 +50,25 @@ struct WingCurve {
     real liftSlope = 0;
     real inducedDrag = 0;                  ///< per square of the lift
     real stallScale = 0, stallOffset = 0;  ///< to the sine of the section's angle, over that of the stall
+    real steepestStall = 0;                ///< bound of the slopes that the stall adds
     real leastDrag = 0, zeroLiftMoment = 0;
     real plateDrag = 0;
 
     WingCurve() = default;
     WingCurve(const WingSection &section, real flapAngle, real flapChord, real aspectRatio);
 
+    struct Response {
+        WingSection::Coefficients coefficients;
+        real slopeBound;  ///< no less than what lift and drag together grow by with the angle, per rad
+    };
+
     /// From sine and cosine of the angle of attack.
-    WingSection::Coefficients getCoefficients(real sine, real cosine) const;
+    Response respondTo(real sine, real cosine) const;
     bool isStalled(real sine, real cosine) const;
 
 private:
+    real getLineSine(real sine, real cosine) const { return sine * cosFlapTurn + cosine * sinFlapTurn; }
+    /// 1 or −1 at the stall.
     real getStallProgress(real lineSine) const { return stallScale * lineSine + stallOffset; }
 };
 
@@ -70,16 +79,17 @@ private:
 ///     force = ½·density·u²·span·chord·(lift across the flow, drag against it)
 ///
 /// at a point of the body, and the couple of its section's moment, with u the velocity of that point through
-/// the air, its own turning included. Wing axes: +X forward along the chord, +Y the side of lift, +Z along
-/// the span. The flow along the span makes no lift; it meets friction, ½·density·u_z²·area·leastDrag. So the
-/// force never drives its point through still air.
+/// the air, its own turning included. Pitching is damped as in thin-airfoil theory, π/8·chord/u per rad/s.
+/// Wing axes: +X forward along the chord, +Y the side of lift, +Z along the span. The flow along the span
+/// makes no lift; it meets friction, ½·density·u_z²·area·leastDrag. So the force never drives its point
+/// through still air.
 ///
 /// One flow counts for the whole wing: to damp roll, and to drop a wing in a stall, an aircraft needs at
 /// least one Wing on each side.
 ///
 /// Finite span is Prandtl's lifting line with elliptic lift: slope 2π·AR/(AR + 2), induced drag
 /// lift²/(π·AR). When separated, the drag broadside falls with AR too (Viterna & Corrigan 1982).
-class CYCLONE_API Wing : public ForceGenerator {
+class CYCLONE_API Wing : public PointForce {
 public:
     /// Span and chord (m) are positive; position is that of the quarter chord in the middle of the span, in
     /// body coordinates. windspeed as for Aero.
@@ -108,12 +118,15 @@ public:
     Quaternion getOrientation() const { return orientation; }
 
     /// As Aero::setWind.
-    void setWind(const WindField *field) { wind = field; }
+    void setWind(const WindField *field) { windField = field; }
+    /// Puts the wing into water of this density, kg/m³, positive: a keel, a rudder, a hydrofoil. The flow is
+    /// then that past the water too, and force and couple are multiplied by clamp(depth/fullDepth, 0, 1): out
+    /// of the water it does nothing. fullDepth in m, positive. The water must live as long as the wing acts;
+    /// null is none.
+    void setWater(const Water *sea, real fullDepth, real kilogramsPerCubicMetre = 1000);
 
-    Vector3 getPosition() const { return position; }
-    /// On this body as it moves now, N, world coordinates.
-    Vector3 getForce(const RigidBody &body) const;
-    /// The couple, apart from the force's moment about the centre of mass, N·m, world coordinates.
+    Vector3 getForce(const RigidBody &body) const override;
+    /// The couple, besides the force's moment about the centre of mass, N·m, world coordinates.
     Vector3 getTorque(const RigidBody &body) const;
     /// −π … π rad; 0 without a flow.
     real getAngleOfAttack(const RigidBody &body) const;
@@ -121,24 +134,32 @@ public:
     bool isStalled(const RigidBody &body) const;
 
     void updateForce(RigidBody *body, real duration) override;
-    bool actsOnItsBodyOnly() const override { return true; }
+    void addResistance(const RigidBody &body, Resistance &sum) const override;
 
 private:
-    /// Velocity through the air in the wing's X-Y plane, and along its span.
     struct Flow {
-        real x, y, z;
-        real speed;         ///< in the plane
+        Vector3 velocity;   ///< through the air or water, in wing axes
+        real speed;         ///< across the span
         real sine, cosine;  ///< of the angle of attack
+        real scale;         ///< ½·density·area, of the part that feels the flow
+        Vector3 arm, axis;  ///< of the position, and the direction of the span, in world coordinates
     };
+    /// Takes the water's motion from the velocity; returns the part of the wing that is in the water.
+    real immerse(const RigidBody &body, Vector3 &velocity) const;
     Flow getFlow(const RigidBody &body) const;
-    /// The force at the position and the couple, in body axes.
-    Wrench getWrench(const RigidBody &body) const;
+    Vector3 getForceBy(const Flow &flow, const WingSection::Coefficients &c, const RigidBody &body) const;
+    Vector3 getTorqueBy(const Flow &flow, const WingSection::Coefficients &c, const RigidBody &body) const;
+    /// N·m per rad/s.
+    real getPitchDamping(const Flow &flow) const;
+    Vector3 getResistance(const Flow &flow, const detail::WingCurve::Response &response) const;
+    real getCoupleResistance(const Flow &flow, const Vector3 &resistance) const;
     void updateCurve();
 
     real span, chord;
-    Vector3 position;
     const Vector3 *windspeed;
-    const WindField *wind = nullptr;
+    const WindField *windField = nullptr;
+    const Water *water = nullptr;
+    real fullDepth = 1;
     WingSection section;
     real density = 1.225;
     real aspectRatio;

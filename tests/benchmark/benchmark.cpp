@@ -21,6 +21,7 @@ int main(int argc, char **argv) {
     benchmark::measureFrames(counts);
     benchmark::measureThreads(counts);
     benchmark::measureBodyAlone();
+    benchmark::measureGenerators();
     benchmark::measureSnapshots();
     benchmark::measureRollback();
     benchmark::measureChurn();

@@ -14,6 +14,8 @@ void measureFrames(const Counts &counts);
 void measureThreads(const Counts &counts);
 /// RigidBody::integrate of a single body, beside the first-order step.
 void measureBodyAlone();
+/// Single force generators, beside an Aero.
+void measureGenerators();
 /// Saving, restoring and hashing, beside a plain copy of the bodies.
 void measureSnapshots();
 /// Eight frames of rollback, beside eight frames.
