@@ -20,7 +20,9 @@ public:
     void startOver() override;
     void steer() override;
     void step() override;
-    bool isOver() const override { return pilot.getLeg() == Pilot::Leg::STOPPED; }
+    bool isOver() const override {
+        return pilot.getLeg() == Pilot::Leg::STOPPED || pilot.getLeg() == Pilot::Leg::STAY_DOWN;
+    }
     real getTime() const override { return static_cast<real>(steps) * profile.step; }
     Frame getFrame() const override;
     std::string getHeadUpLine() const override;
@@ -39,7 +41,7 @@ private:
     Wind wind;
     Aircraft aircraft;
     Pilot pilot;
-    Pilot::Leg lastLeg = Pilot::Leg::TAKE_OFF;
+    Pilot::Leg lastLeg = Pilot::Leg::WATCH;
     std::uint64_t steps = 0;
     real propellerAngle = 0;
     bool wasPut = true, airborne = false;
