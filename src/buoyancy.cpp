@@ -1,49 +1,20 @@
 #include <cyclone/buoyancy.h>
 
+#include <algorithm>
+
 #include "arguments.h"
 
 namespace cyclone {
 
 using namespace detail;
 
-Waves::Waves(real height, real g) : meanHeight(height), gravity(g) {
-    requireFinite(height, "Waves::Waves", "the mean height must be finite");
-    requirePositive(g, "Waves::Waves", "gravity must be positive and finite");
-}
-
-void Waves::addTrain(const Train &train) {
-    requireNotNegative(train.amplitude, "Waves::addTrain", "the amplitude must be finite and not negative");
-    requirePositive(train.wavelength, "Waves::addTrain", "the wavelength must be positive and finite");
-    requireFinite(train.direction, "Waves::addTrain", "the direction must be finite");
-    requireFinite(train.phase, "Waves::addTrain", "the phase must be finite");
-    const real k = 2 * REAL_PI / train.wavelength;
-    motions.push_back({train.amplitude, k * real_cos(train.direction), k * real_sin(train.direction),
-                       real_sqrt(gravity * k), train.phase, 0});
-    setTime(time);
-}
-
-void Waves::setTime(real seconds) {
-    requireFinite(seconds, "Waves::setTime", "the time must be finite");
-    time = seconds;
-    for (Motion &motion : motions) motion.phaseNow = motion.frequency * time - motion.phase;
-}
-
-real Waves::getHeight(const Vector3 &worldPoint) const {
-    real height = meanHeight;
-    for (const Motion &motion : motions)
-        height += motion.amplitude *
-                  real_sin(motion.alongX * worldPoint.x + motion.alongZ * worldPoint.z - motion.phaseNow);
-    return height;
-}
-
-Buoyancy::Buoyancy(const Vector3 &centre, real depth, real v, real height, real density, real g)
-    : centreOfBuoyancy(centre),
+Buoyancy::Buoyancy(const Vector3 &centreOfBuoyancy, real depth, real v, real height, real density, real g)
+    : PointForce("Buoyancy::Buoyancy", centreOfBuoyancy),
       maxDepth(depth),
       volume(v),
       waterHeight(height),
       liquidDensity(density),
       gravity(g) {
-    requireFinite(centre, "Buoyancy::Buoyancy", "the centre of buoyancy must be finite");
     requirePositive(depth, "Buoyancy::Buoyancy", "maxDepth must be positive and finite");
     requirePositive(v, "Buoyancy::Buoyancy", "the volume must be positive and finite");
     requireFinite(height, "Buoyancy::Buoyancy", "the water's height must be finite");
@@ -51,18 +22,73 @@ Buoyancy::Buoyancy(const Vector3 &centre, real depth, real v, real height, real 
     requirePositive(g, "Buoyancy::Buoyancy", "gravity must be positive and finite");
 }
 
+real Buoyancy::submersionAt(real centreHeight, real surfaceHeight) const {
+    return real_clamp((surfaceHeight + maxDepth - centreHeight) / (2 * maxDepth), 0, 1);
+}
+
 real Buoyancy::getSubmersion(const RigidBody &body) const {
-    const Vector3 centre = body.getPointInWorldSpace(centreOfBuoyancy);
-    const real height = water != nullptr ? water->getHeight(centre) : waterHeight;
-    return real_clamp((height + maxDepth - centre.y) / (2 * maxDepth), 0, 1);
+    const Vector3 centre = body.getPointInWorldSpace(position);
+    return submersionAt(centre.y, water != nullptr ? water->getHeight(centre) : waterHeight);
 }
 
 Vector3 Buoyancy::getForce(const RigidBody &body) const {
-    return Vector3(0, liquidDensity * volume * gravity * getSubmersion(body), 0);
+    const Vector3 centre = body.getPointInWorldSpace(position);
+    Water::Motion motion;
+    motion.height = waterHeight;
+    if (water != nullptr) motion = water->getMotion(centre);
+    const real displacedMass = liquidDensity * volume * submersionAt(centre.y, motion.height);
+    return (Vector3::UP * gravity + motion.acceleration) * displacedMass;
 }
 
-void Buoyancy::updateForce(RigidBody *body, real) {
-    body->addForceAtBodyPoint(getForce(*body), centreOfBuoyancy);
+HullDrag::HullDrag(const Buoyancy *buoyancy, const Vector3 &centre, const Vector3 &k1, const Vector3 &k2)
+    : PointForce("HullDrag::HullDrag", centre),
+      hull(requireNonNull(buoyancy, "HullDrag::HullDrag", "the hull must not be null")),
+      linear(k1),
+      quadratic(k2) {
+    for (const real k : {k1.x, k1.y, k1.z})
+        requireNotNegative(k, "HullDrag::HullDrag", "linear must be finite and not negative");
+    for (const real k : {k2.x, k2.y, k2.z})
+        requireNotNegative(k, "HullDrag::HullDrag", "quadratic must be finite and not negative");
+}
+
+Vector3 HullDrag::flowInBodyAxes(const RigidBody &body) const {
+    Vector3 flow = body.getVelocity() + body.getRotation() % body.getDirectionInWorldSpace(position);
+    if (const Water *water = hull->getWater())
+        flow -= water->getVelocity(body.getPointInWorldSpace(position));
+    return body.getDirectionInLocalSpace(flow);
+}
+
+Vector3 HullDrag::getForceOf(const Vector3 &flow, real submersion, const RigidBody &body) const {
+    const Vector3 size(real_abs(flow.x), real_abs(flow.y), real_abs(flow.z));
+    const Vector3 drag = (linear + quadratic.componentProduct(size)).componentProduct(flow);
+    return body.getDirectionInWorldSpace(drag) * -submersion;
+}
+
+Vector3 HullDrag::resistanceTo(const Vector3 &flow, real submersion) const {
+    const Vector3 size(real_abs(flow.x), real_abs(flow.y), real_abs(flow.z));
+    return (linear + quadratic.componentProduct(size) * 2) * submersion;
+}
+
+Vector3 HullDrag::getForce(const RigidBody &body) const {
+    const real submersion = hull->getSubmersion(body);
+    return submersion > 0 ? getForceOf(flowInBodyAxes(body), submersion, body) : Vector3();
+}
+
+void HullDrag::updateForce(RigidBody *body, real) {
+    const real submersion = hull->getSubmersion(*body);
+    if (submersion == 0) return;
+    const Vector3 flow = flowInBodyAxes(*body), along = resistanceTo(flow, submersion);
+    const real most = std::max({along.x, along.y, along.z});
+    body->addForceAtBodyPoint(getForceOf(flow, submersion, *body), position);
+    body->addResistance(most, most * position.squareMagnitude());
+}
+
+void HullDrag::addResistance(const RigidBody &body, Resistance &sum) const {
+    const Vector3 along = resistanceTo(flowInBodyAxes(body), hull->getSubmersion(body));
+    Matrix3 turn, tensor;
+    turn.setOrientation(body.getOrientation());
+    tensor.setDiagonal(-along.x, -along.y, -along.z);
+    sum.add(turn * tensor * turn.transpose(), body.getDirectionInWorldSpace(position), true);
 }
 
 }  // namespace cyclone

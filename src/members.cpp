@@ -16,10 +16,10 @@ void Members::reserveOneMore() {
 }
 
 void Members::List::reserve(const List &other) {
-    bodies.reserve(other.bodies.size());
-    numbers.reserve(other.bodies.size());
-    born.reserve(other.bodies.size());
-    numberOf.reserve(other.numberOf.size());
+    bodies.reserve(other.bodies.capacity());
+    numbers.reserve(other.numbers.capacity());
+    born.reserve(other.born.capacity());
+    numberOf.reserve(other.numberOf.capacity());
 }
 
 void Members::List::assign(const List &other) {
@@ -37,15 +37,14 @@ void Members::append(RigidBody *body, std::uint64_t born) {
     list.numberOf.set(body, list.nextNumber++);
 }
 
-std::size_t Members::indexOf(const RigidBody *body) const {
-    const auto found = std::lower_bound(list.numbers.begin(), list.numbers.end(), list.numberOf.find(body));
-    return static_cast<std::size_t>(found - list.numbers.begin());
-}
-
-void Members::erase(const RigidBody *body) {
-    list.bodies[indexOf(body)] = nullptr;
+std::uint64_t Members::erase(const RigidBody *body) {
+    const auto number = std::lower_bound(list.numbers.begin(), list.numbers.end(), list.numberOf.find(body));
+    const std::size_t index = static_cast<std::size_t>(number - list.numbers.begin());
+    const std::uint64_t born = list.born[index];
+    list.bodies[index] = nullptr;
     list.numberOf.erase(body);
-    if (++gapCount > 16 + list.bodies.size() / 64) closeGaps();
+    if (++gapCount > 16 + list.bodies.size() / 32) closeGaps();
+    return born;
 }
 
 void Members::clear() {

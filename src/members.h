@@ -28,8 +28,8 @@ public:
         AddressMap numberOf;                 ///< of each body
         std::uint64_t nextNumber = 0;
 
-        /// Makes room for what another list holds, and takes it over. If memory runs out, nothing has
-        /// changed.
+        /// Makes as much room as another list has, and takes over what it holds. If memory runs out, nothing
+        /// has changed.
         void reserve(const List &other);
         void assign(const List &other);
     };
@@ -37,7 +37,8 @@ public:
     /// Makes room for one more. If memory runs out, nothing has changed.
     void reserveOneMore();
     void append(RigidBody *body, std::uint64_t born);
-    void erase(const RigidBody *body);
+    /// Returns when the body was born.
+    std::uint64_t erase(const RigidBody *body);
     void clear();
     void reserve(const List &other) { list.reserve(other); }
     void assign(const List &other) {
@@ -47,7 +48,6 @@ public:
 
     bool contains(const RigidBody *body) const { return list.numberOf.find(body) != AddressMap::NONE; }
     std::uint64_t getNumber(const RigidBody *body) const { return list.numberOf.find(body); }
-    std::uint64_t whenBorn(const RigidBody *body) const { return list.born[indexOf(body)]; }
     std::size_t size() const { return list.numberOf.size(); }
 
     const std::vector<RigidBody *> &getBodiesAndGaps() const { return list.bodies; }
@@ -58,7 +58,6 @@ public:
     }
 
 private:
-    std::size_t indexOf(const RigidBody *body) const;
     void closeGaps() const;
 
     mutable List list;

@@ -9,10 +9,16 @@ namespace cyclone {
 
 namespace {
 
-/// With so many digits, and without a locale.
+/// Without a locale; and it throws when memory runs out.
+void makePlain(std::ios &stream) {
+    stream.imbue(std::locale::classic());
+    stream.exceptions(std::ios::badbit);
+}
+
+/// With so many digits.
 std::string textOf(real number, int digits) {
     std::ostringstream text;
-    text.imbue(std::locale::classic());
+    makePlain(text);
     text.precision(digits);
     text << number;
     return text.str();
@@ -20,7 +26,7 @@ std::string textOf(real number, int digits) {
 
 bool readsBackAs(real number, const std::string &text) {
     std::istringstream stream(text);
-    stream.imbue(std::locale::classic());
+    makePlain(stream);
     real found = 0;
     return stream >> found && found == number;
 }

@@ -176,6 +176,7 @@ public:
                 "a generator may not update the forces");
         requireDuration(duration, "ForceRegistry::updateForces");
         registry.phase = Phase::SERIAL;
+        registry.anyMayBeStiff = false;
     }
     ~Update() {
         registry.phase = Phase::IDLE;
@@ -189,9 +190,19 @@ private:
     ForceRegistry &registry;
 };
 
+/// Most generators fit into three cache lines and read a body's transform, velocity and rotation. Inline, for
+/// the compiler leaves out calls of a function that does nothing but prefetch.
+CYCLONE_INLINE void ForceRegistry::prefetchFor(std::size_t index) const {
+    const Registrations::Call &call = (*registrations)[index];
+    if (call.body == nullptr) return;
+    prefetch(call.body, offsetof(RigidBody, orientation));
+    prefetch(call.generator, 192);
+}
+
 void ForceRegistry::updateForces(real duration) {
     const Update update(*this, duration);
     callInOrder(0, registrations->getEnd(), duration);
+    if (anyMayBeStiff) resist(0, registrations->getEnd(), duration);
 }
 
 void ForceRegistry::callInOrder(std::size_t begin, std::size_t end, real duration) {
@@ -199,14 +210,6 @@ void ForceRegistry::callInOrder(std::size_t begin, std::size_t end, real duratio
         if (n + PREFETCH_AHEAD < end) prefetchFor(n + PREFETCH_AHEAD);
         callGenerator(n, duration);
     }
-}
-
-/// Most generators fit into two cache lines and read a body's transform, velocity and rotation.
-void ForceRegistry::prefetchFor(std::size_t index) const {
-    const Registrations::Call &call = (*registrations)[index];
-    if (call.body == nullptr) return;
-    prefetch(call.body, offsetof(RigidBody, orientation));
-    prefetch(call.generator, 128);
 }
 
 void ForceRegistry::callGenerator(std::size_t index, real duration) {
@@ -226,6 +229,23 @@ void ForceRegistry::callGenerator(std::size_t index, real duration) {
     } const marker{*registrations, index, called.body, called.body->marks.inGenerator};
     called.body->marks.inGenerator = true;
     called.generator->updateForce(called.body, duration);
+    if (!registrations->isGap(index) && called.body->mayBeStiff(duration))
+        anyMayBeStiff.store(true, std::memory_order_relaxed);
+}
+
+/// Makes the step implicit of those bodies whose first registration is one of these and whose generators
+/// resist too strongly together.
+void ForceRegistry::resist(std::size_t begin, std::size_t end, real duration) {
+    for (std::size_t n = begin; n < end; ++n) {
+        RigidBody *const body = (*registrations)[n].body;
+        if (body == nullptr || !registrations->isFirstOfBodySince(0, n) || !body->mayBeStiff(duration))
+            continue;
+        Resistance sum;
+        for (std::size_t its = n; its != Registrations::NONE;
+             its = registrations->next(Registrations::BODY, its))
+            (*registrations)[its].generator->addResistance(*body, sum);
+        body->resist(sum, duration);
+    }
 }
 
 /// A part of a run of generators that act on their body only, on one thread. It takes the bodies whose first
@@ -238,13 +258,13 @@ public:
     std::size_t getPartCount() const { return (runEnd - runBegin + PARALLEL_PART - 1) / PARALLEL_PART; }
 
     void run(std::size_t part) override {
-        const Registrations &registrations = *registry.registrations;
+        const Registrations &table = *registry.registrations;
         const std::size_t begin = runBegin + part * PARALLEL_PART,
                           end = std::min(begin + PARALLEL_PART, runEnd);
         for (std::size_t n = begin; n < end; ++n) {
             if (n + PREFETCH_AHEAD < end) registry.prefetchFor(n + PREFETCH_AHEAD);
-            if (registrations.isGap(n) || !registrations.isFirstOfBodySince(runBegin, n)) continue;
-            for (std::size_t its = n; its < runEnd; its = registrations.next(Registrations::BODY, its))
+            if (table.isGap(n) || !table.isFirstOfBodySince(runBegin, n)) continue;
+            for (std::size_t its = n; its < runEnd; its = table.next(Registrations::BODY, its))
                 registry.callGenerator(its, duration);
         }
     }
@@ -252,6 +272,24 @@ public:
 private:
     ForceRegistry &registry;
     const std::size_t runBegin, runEnd;
+    const real duration;
+};
+
+/// A part of resist(), on one thread.
+class ForceRegistry::ResistJob : public JobSystem::Job {
+public:
+    ResistJob(ForceRegistry &r, real h) : registry(r), end(r.registrations->getEnd()), duration(h) {}
+
+    std::size_t getPartCount() const { return (end + PARALLEL_PART - 1) / PARALLEL_PART; }
+
+    void run(std::size_t part) override {
+        const std::size_t begin = part * PARALLEL_PART;
+        registry.resist(begin, std::min(begin + PARALLEL_PART, end), duration);
+    }
+
+private:
+    ForceRegistry &registry;
+    const std::size_t end;
     const real duration;
 };
 
@@ -272,6 +310,11 @@ void ForceRegistry::updateForces(real duration, JobSystem &jobs) {
             jobs.parallelFor(job.getPartCount(), job);
         phase = Phase::SERIAL;
     }
+    if (!anyMayBeStiff) return;
+    if (end < PARALLEL_MINIMUM) return resist(0, end, duration);
+    phase = Phase::PARALLEL;
+    ResistJob job(*this, duration);
+    jobs.parallelFor(job.getPartCount(), job);
 }
 
 /// The end of the run of registrations that begins here: all of them act on their body only, or none does.

@@ -4,6 +4,7 @@
 #include <limits>
 
 #include "arguments.h"
+#include "compiler.h"
 #include "state.h"
 
 namespace cyclone {
@@ -14,131 +15,182 @@ namespace {
 
 using State = RigidBody::State;
 
-constexpr std::uint64_t VERSION = 2;               // of the order and meaning of a state's words
 constexpr std::uint64_t MAGIC = 0x656e6f6c637943;  // "Cyclone"
-constexpr std::size_t STATE_WORDS = 55, HEADER_WORDS = 3, CHECKSUM_WORDS = 1;
+constexpr std::uint64_t VERSION = 3;               // of the order and meaning of the words
 
-/// A state as words of 64 bits: its flags, then its numbers.
-struct Words {
-    std::uint64_t words[STATE_WORDS];
-};
+// ---- Words of 64 bits, and their bytes
 
-/// Every NaN, such as a poisoned force that was added just now, counts as the same one: which of them comes
-/// out of an operation depends on the processor.
-std::uint64_t bitsOf(real value) {
-    if (value != value) value = std::numeric_limits<real>::quiet_NaN();
-    std::uint64_t bits;
-    std::memcpy(&bits, &value, sizeof bits);
-    return bits;
-}
-
-real realOf(std::uint64_t bits) {
-    real value;
-    std::memcpy(&value, &bits, sizeof value);
-    return value;
-}
-
-/// Of mass and inverse mass the one is the reciprocal of the other, so one of them is enough; and so it is
-/// with moments of inertia.
-class Reciprocals {
-public:
-    /// Whether it is the inverse that follows from the other one.
-    bool inverseMassFollows, inverseInertiaFollows;
-
-    explicit Reciprocals(const State &s)
-        : inverseMassFollows(s.inverseMass == 1 / s.mass),
-          inverseInertiaFollows(s.inverseInertia == reciprocal(s.inertia)) {}
-    Reciprocals(bool mass, bool inertia) : inverseMassFollows(mass), inverseInertiaFollows(inertia) {}
-
-    bool follows(const State &s, const real *number) const {
-        const real *const mass = inverseMassFollows ? &s.inverseMass : &s.mass;
-        const Vector3 &inertia = inverseInertiaFollows ? s.inverseInertia : s.inertia;
-        return number == mass || number == &inertia.x || number == &inertia.y || number == &inertia.z;
-    }
-    void complete(State &s) const {
-        if (inverseMassFollows)
-            s.inverseMass = 1 / s.mass;
-        else
-            s.mass = s.inverseMass > 0 ? 1 / s.inverseMass : REAL_MAX;
-        if (inverseInertiaFollows)
-            s.inverseInertia = reciprocal(s.inertia);
-        else
-            s.inertia = reciprocal(s.inverseInertia);
-    }
-
-private:
-    static Vector3 reciprocal(const Vector3 &v) { return Vector3(1 / v.x, 1 / v.y, 1 / v.z); }
-};
-
-Words toWords(const State &state) {
-    const Reciprocals reciprocals(state);
-    Words result;
-    std::uint64_t *next = result.words + 1;
-    std::uint64_t flags =
-        (reciprocals.inverseMassFollows ? 1u : 0u) + (reciprocals.inverseInertiaFollows ? 2u : 0u);
-    StateMembers::visitNumbers(state, [&](const auto &value) {
-        if constexpr (std::is_same_v<decltype(value), const bool &>)
-            flags = 2 * flags + (value ? 1 : 0);
-        else if (!reciprocals.follows(state, &value))
-            *next++ = bitsOf(value);
-    });
-    result.words[0] = flags;
-    return result;
-}
-
-State fromWords(const Words &words) {
-    constexpr int FLAGS = 3;
-    const std::uint64_t *next = words.words + 1;
-    const std::uint64_t flags = words.words[0];
-    const Reciprocals reciprocals((flags >> FLAGS & 1) != 0, (flags >> (FLAGS + 1) & 1) != 0);
-    int flag = FLAGS;
-    State state;
-    StateMembers::visitNumbers(state, [&](auto &value) {
-        if constexpr (std::is_same_v<decltype(value), bool &>)
-            value = (flags >> --flag & 1) != 0;
-        else if (!reciprocals.follows(state, &value))
-            value = realOf(*next++);
-    });
-    reciprocals.complete(state);
-    return state;
-}
-
-/// A running hash of words: xor, multiply, and fold the high half down (the multiplier is 2⁶⁴ divided by the
-/// golden ratio; Knuth 1973).
-class Hash {
-public:
-    void add(std::uint64_t word) {
-        value = (value ^ word) * 0x9e3779b97f4a7c15;
-        value ^= value >> 32;
-    }
-    std::uint64_t get() const { return value; }
-
-private:
-    std::uint64_t value = MAGIC;
-};
-
-void storeWord(std::uint8_t *bytes, std::uint64_t word) {
-    for (int n = 0; n < 8; ++n) bytes[n] = static_cast<std::uint8_t>(word >> (8 * n));
-}
-
-std::uint64_t loadWord(const std::uint8_t *bytes) {
-    std::uint64_t word = 0;
-    for (int n = 0; n < 8; ++n) word |= static_cast<std::uint64_t>(bytes[n]) << (8 * n);
+CYCLONE_INLINE std::uint64_t loadNativeWord(const std::uint8_t *bytes) {
+    std::uint64_t word;
+    std::memcpy(&word, bytes, sizeof word);
     return word;
 }
 
-std::size_t snapshotSize(std::size_t count) {
-    return 8 * (HEADER_WORDS + count * STATE_WORDS + CHECKSUM_WORDS);
+CYCLONE_INLINE void storeNativeWord(std::uint8_t *bytes, std::uint64_t word) {
+    std::memcpy(bytes, &word, sizeof word);
 }
 
-State loadState(const Snapshot &snapshot, std::size_t index) {
-    Words words;
-    const std::uint8_t *bytes = snapshot.data() + 8 * (HEADER_WORDS + index * STATE_WORDS);
-    for (std::uint64_t &word : words.words) {
-        word = loadWord(bytes);
-        bytes += 8;
+/// The word with its bytes from the lowest to the highest, in whatever order this machine keeps them; and
+/// back again.
+CYCLONE_INLINE std::uint64_t littleEndian(std::uint64_t word) {
+    const auto byte = [word](int n) { return static_cast<std::uint8_t>(word >> (8 * n)); };
+    const std::uint8_t bytes[8] = {byte(0), byte(1), byte(2), byte(3), byte(4), byte(5), byte(6), byte(7)};
+    return loadNativeWord(bytes);
+}
+
+CYCLONE_INLINE void storeWord(std::uint8_t *bytes, std::uint64_t word) {
+    storeNativeWord(bytes, littleEndian(word));
+}
+
+CYCLONE_INLINE std::uint64_t loadWord(const std::uint8_t *bytes) {
+    return littleEndian(loadNativeWord(bytes));
+}
+
+constexpr std::uint64_t swapHalves(std::uint64_t word) { return word >> 32 | word << 32; }
+
+/// A running hash of words in four lanes, which do not wait for each other. Each step takes two words and is
+/// one-to-one in either, so a change of a single word never goes unnoticed. (The multiplier is 2⁶⁴ divided by
+/// the golden ratio; Knuth 1973.)
+class Hash {
+public:
+    static constexpr std::size_t ROW = 8 * 8;  ///< bytes: two words for each lane
+
+    /// Adds whole rows.
+    CYCLONE_INLINE void add(const std::uint8_t *bytes, std::size_t size) {
+        for (std::size_t n = 0; n < size; n += ROW) {
+            mix(a, bytes + n);
+            mix(b, bytes + n + 8);
+            mix(c, bytes + n + 16);
+            mix(d, bytes + n + 24);
+        }
     }
-    return fromWords(words);
+    std::uint64_t get() const {
+        std::uint64_t result = MAGIC;
+        for (std::uint64_t lane : {a, b, c, d}) {
+            result = (result ^ lane) * MULTIPLIER;
+            result ^= result >> 32;
+        }
+        return result;
+    }
+
+private:
+    static constexpr std::uint64_t MULTIPLIER = 0x9e3779b97f4a7c15;
+
+    /// Word n and word n + 4 of a row.
+    CYCLONE_INLINE static void mix(std::uint64_t &lane, const std::uint8_t *bytes) {
+        const std::uint64_t pair = loadWord(bytes) ^ swapHalves(loadWord(bytes + ROW / 2));
+        lane = swapHalves((lane ^ pair) * MULTIPLIER);
+    }
+
+    std::uint64_t a = 1, b = 2, c = 3, d = 4;
+};
+
+// ---- A state as words
+
+/// A record is 54 numbers of a state, its flags, and zero. Of a mass or moment of inertia and its inverse the
+/// one follows from the other: it holds the one that was set, and a flag says which.
+constexpr std::size_t FLAGS = 54 * 8, PADDING = 55 * 8, RECORD = 56 * 8;
+constexpr unsigned FLAG_COUNT = 7;
+
+/// Writes numbers one after the other, in this machine's order of bytes, and collects flags.
+struct RecordWriter {
+    std::uint8_t *next;
+    real zero;  ///< is added to each number: −0.0 changes none, 0.0 makes −0.0 to 0.0
+    std::uint64_t flags = 0;
+
+    CYCLONE_INLINE void operator()(const real &number) {
+        const real value = number + zero;
+        std::memcpy(next, &value, sizeof value);
+        next += 8;
+    }
+    CYCLONE_INLINE void operator()(const bool &flag) { flags = 2 * flags + (flag ? 1 : 0); }
+    CYCLONE_INLINE void operator()(const real &value, const real &inverse, real) {
+        const bool inverseFollows = inverse == 1 / value;
+        (*this)(inverseFollows);
+        (*this)(inverseFollows ? value : inverse);
+    }
+};
+
+/// Reads them back from little-endian bytes.
+struct RecordReader {
+    const std::uint8_t *next;
+    std::uint64_t flags;
+    unsigned flagsLeft = FLAG_COUNT;
+
+    CYCLONE_INLINE void operator()(real &number) {
+        const std::uint64_t word = loadWord(next);
+        std::memcpy(&number, &word, sizeof number);
+        next += 8;
+    }
+    CYCLONE_INLINE void operator()(bool &flag) { flag = (flags >> --flagsLeft & 1) != 0; }
+    CYCLONE_INLINE void operator()(real &value, real &inverse, real valueWithoutInverse) {
+        bool inverseFollows;
+        real number;
+        (*this)(inverseFollows);
+        (*this)(number);
+        const real reciprocal = 1 / number;
+        value = inverseFollows ? number : number == 0 ? valueWithoutInverse : reciprocal;
+        inverse = inverseFollows ? reciprocal : number;
+    }
+};
+
+CYCLONE_INLINE void toLittleEndian(std::uint8_t *bytes, std::size_t size) {
+    if (littleEndian(1) == 1) return;
+    for (std::size_t n = 0; n < size; n += 8) storeWord(bytes + n, loadNativeWord(bytes + n));
+}
+
+/// Which NaN comes out of an operation depends on the processor; in a record all are the same.
+void unifyNaNs(std::uint8_t *record) {
+    for (std::size_t n = 0; n < FLAGS; n += 8) {
+        const std::uint64_t word = loadWord(record + n);
+        if ((word & 0x7fffffffffffffff) > 0x7ff0000000000000) storeWord(record + n, 0x7ff8000000000000);
+    }
+}
+
+CYCLONE_INLINE void storeRecord(std::uint8_t *bytes, const RigidBody &body, real zero) {
+    RecordWriter write{bytes, zero};
+    EachNumber<RecordWriter> writeNumbers{write};
+    const Vector3 position = body.getPosition();
+    writeNumbers(position);
+    StateMembers::visitIndependent(body, writeNumbers);
+    StateMembers::visitReciprocals(body, write);
+    toLittleEndian(bytes, FLAGS);
+    storeWord(bytes + FLAGS, write.flags);
+    storeWord(bytes + PADDING, 0);
+    if (StateMembers::mayHoldNaNs(body)) unifyNaNs(bytes);
+}
+
+/// Body is a RigidBody or a State.
+template <class Body>
+CYCLONE_INLINE void loadRecord(const std::uint8_t *bytes, Body &body) {
+    RecordReader read{bytes, loadWord(bytes + FLAGS)};
+    EachNumber<RecordReader> readNumbers{read};
+    Vector3 position;
+    readNumbers(position);
+    StateMembers::setPosition(body, position);
+    StateMembers::visitIndependent(body, readNumbers);
+    StateMembers::visitReciprocals(body, read);
+}
+
+const char *findRecordError(const std::uint8_t *bytes) {
+    if (loadWord(bytes + FLAGS) >> FLAG_COUNT != 0 || loadWord(bytes + PADDING) != 0)
+        return "the snapshot's unused bits must be zero";
+    State state;
+    loadRecord(bytes, state);
+    return state.findError();
+}
+
+// ---- Snapshots
+
+constexpr std::size_t HEADER = Hash::ROW, CHECKSUM = 8;
+
+std::size_t snapshotSize(std::size_t count) { return HEADER + count * RECORD + CHECKSUM; }
+
+void storeHeader(std::uint8_t *bytes, std::size_t count) {
+    std::memset(bytes, 0, HEADER);
+    storeWord(bytes, MAGIC);
+    storeWord(bytes + 8, VERSION);
+    storeWord(bytes + 16, count);
 }
 
 }  // namespace
@@ -147,31 +199,34 @@ void writeSnapshot(RigidBody *const *bodies, std::size_t count, Snapshot &snapsh
     snapshot.resize(snapshotSize(count));
     std::uint8_t *bytes = snapshot.data();
     Hash checksum;
-    const auto put = [&](std::uint64_t word) {
-        storeWord(bytes, word);
-        bytes += 8;
-        checksum.add(word);
-    };
-    put(MAGIC);
-    put(VERSION);
-    put(count);
-    for (std::size_t n = 0; n < count; ++n)
-        for (std::uint64_t word : toWords(bodies[n]->getState()).words) put(word);
-    storeWord(bytes, checksum.get());
+    storeHeader(bytes, count);
+    checksum.add(bytes, HEADER);
+    bytes += HEADER;
+    for (std::size_t n = 0; n < count; ++n) {
+        storeRecord(bytes, *bodies[n], -0.0);
+        checksum.add(bytes, RECORD);
+        bytes += RECORD;
+    }
+    snapshot.writtenChecksum = checksum.get();
+    snapshot.structure.reset();
+    storeWord(bytes, snapshot.writtenChecksum);
 }
 
 const char *findSnapshotError(const Snapshot &snapshot, std::size_t count) {
-    const std::uint8_t *bytes = snapshot.data();
+    const std::uint8_t *const bytes = snapshot.data();
     if (snapshot.size() < snapshotSize(0) || loadWord(bytes) != MAGIC) return "this must be a snapshot";
     if (loadWord(bytes + 8) != VERSION) return "the snapshot must be of this version";
     if (loadWord(bytes + 16) != count) return "the snapshot must be of as many bodies";
     if (snapshot.size() != snapshotSize(count)) return "the snapshot must be complete";
+
     Hash checksum;
-    const std::uint8_t *const end = bytes + snapshot.size() - 8;
-    for (; bytes != end; bytes += 8) checksum.add(loadWord(bytes));
-    if (loadWord(end) != checksum.get()) return "the snapshot must be undamaged";
+    checksum.add(bytes, snapshot.size() - CHECKSUM);
+    if (loadWord(bytes + snapshot.size() - CHECKSUM) != checksum.get())
+        return "the snapshot must be undamaged";
+    if (snapshot.writtenChecksum != 0 && snapshot.writtenChecksum == checksum.get()) return nullptr;
+
     for (std::size_t n = 0; n < count; ++n)
-        if (const char *error = loadState(snapshot, n).findError()) return error;
+        if (const char *const error = findRecordError(bytes + HEADER + n * RECORD)) return error;
     return nullptr;
 }
 
@@ -179,14 +234,22 @@ void readSnapshot(const Snapshot &snapshot, RigidBody *const *bodies, std::size_
                   const char *function) {
     const char *const error = findSnapshotError(snapshot, count);
     require(error == nullptr, function, error);
-    for (std::size_t n = 0; n < count; ++n) bodies[n]->setState(loadState(snapshot, n));
+    const std::uint8_t *bytes = snapshot.data() + HEADER;
+    for (std::size_t n = 0; n < count; ++n, bytes += RECORD) {
+        loadRecord(bytes, *bodies[n]);
+        StateMembers::updateDerived(*bodies[n]);
+    }
 }
 
 std::uint64_t hashStates(RigidBody *const *bodies, std::size_t count) {
     Hash hash;
-    hash.add(count);
-    for (std::size_t n = 0; n < count; ++n)
-        for (std::uint64_t word : toWords(bodies[n]->getState()).words) hash.add(word);
+    std::uint8_t bytes[RECORD];
+    storeHeader(bytes, count);
+    hash.add(bytes, HEADER);
+    for (std::size_t n = 0; n < count; ++n) {
+        storeRecord(bytes, *bodies[n], 0.0);
+        hash.add(bytes, RECORD);
+    }
     return hash.get();
 }
 

@@ -4,18 +4,66 @@
 /// What the state of a body consists of.
 #include <cyclone/body.h>
 
+#include <limits>
 #include <type_traits>
+
+#include "compiler.h"
 
 namespace cyclone {
 namespace detail {
 
+/// Visits a member of a state number by number.
+template <class Visit>
+struct EachNumber {
+    Visit &visit;
+
+    template <class Member>
+    CYCLONE_INLINE void operator()(Member &m) {
+        using Type = std::remove_const_t<Member>;
+        if constexpr (std::is_same_v<Type, Vector3>) {
+            visit(m.x), visit(m.y), visit(m.z);
+        } else if constexpr (std::is_same_v<Type, Quaternion>) {
+            visit(m.r), visit(m.i), visit(m.j), visit(m.k);
+        } else if constexpr (std::is_same_v<Type, Wrench>) {
+            (*this)(m.force), (*this)(m.torque);
+        } else if constexpr (std::is_same_v<Type, RigidBody::Memory>) {
+            (*this)(m.acceleration), (*this)(m.torque);
+            visit(m.linearKick), visit(m.angularKick);
+        } else {
+            visit(m);
+        }
+    }
+    template <class Member, class Same>
+    CYCLONE_INLINE void operator()(Member &m, Same) {
+        (*this)(m);
+    }
+};
+
 /// The one list of a state's members. RigidBody and RigidBody::State name them alike, save for the position,
 /// which a body keeps in its transform.
 struct StateMembers {
-    /// Calls visit(body.member, &RigidBody::State::member) for each, in an order that snapshots rely on.
+    using State = RigidBody::State;
+
+    /// Calls visit(body.member, &State::member) for each.
     template <class Body, class Visit>
     static void visit(Body &body, Visit &&visit) {
-        using State = RigidBody::State;
+        visitIndependent(body, visit);
+        visit(body.mass, &State::mass);
+        visit(body.inverseMass, &State::inverseMass);
+        visit(body.inertia, &State::inertia);
+        visit(body.inverseInertia, &State::inverseInertia);
+    }
+    /// Calls visit(number) for each number and visit(flag) for each flag.
+    template <class Visit>
+    static void visitNumbers(State &state, Visit &&visit) {
+        EachNumber<Visit> each{visit};
+        each(state.position);
+        StateMembers::visit(state, each);
+    }
+
+    /// All but position, mass and inertia; in an order that snapshots rely on.
+    template <class Body, class Visit>
+    CYCLONE_INLINE static void visitIndependent(Body &body, Visit &&visit) {
         visit(body.orientation, &State::orientation);
         visit(body.velocity, &State::velocity);
         visit(body.rotation, &State::rotation);
@@ -25,10 +73,6 @@ struct StateMembers {
         visit(body.added, &State::added);
         visit(body.generated, &State::generated);
         visit(body.memory, &State::memory);
-        visit(body.mass, &State::mass);
-        visit(body.inverseMass, &State::inverseMass);
-        visit(body.inertia, &State::inertia);
-        visit(body.inverseInertia, &State::inverseInertia);
         visit(body.principalAxes, &State::principalAxes);
         visit(body.linearDamping, &State::linearDamping);
         visit(body.angularDamping, &State::angularDamping);
@@ -38,29 +82,26 @@ struct StateMembers {
         visit(body.canSleep, &State::canSleep);
         visit(body.faulted, &State::faulted);
     }
-
-    /// Calls visit(number) for each number of a state and visit(flag) for each flag.
-    template <class State, class Visit>
-    static void visitNumbers(State &state, Visit &&visit) {
-        const auto visitVector = [&visit](auto &v) { visit(v.x), visit(v.y), visit(v.z); };
-        const auto visitMember = [&](auto &member) {
-            using Member = std::decay_t<decltype(member)>;
-            if constexpr (std::is_same_v<Member, Vector3>) {
-                visitVector(member);
-            } else if constexpr (std::is_same_v<Member, Quaternion>) {
-                visit(member.r), visit(member.i), visit(member.j), visit(member.k);
-            } else if constexpr (std::is_same_v<Member, Wrench>) {
-                visitVector(member.force), visitVector(member.torque);
-            } else if constexpr (std::is_same_v<Member, RigidBody::Memory>) {
-                visitVector(member.acceleration), visitVector(member.torque);
-                visit(member.linearKick), visit(member.angularKick);
-            } else {
-                visit(member);
-            }
-        };
-        visitVector(state.position);
-        StateMembers::visit(state, [&](auto &member, auto) { visitMember(member); });
+    /// Mass and moments of inertia: calls visit(value, inverse, value whose inverse is 0).
+    template <class Body, class Visit>
+    CYCLONE_INLINE static void visitReciprocals(Body &body, Visit &&visit) {
+        visit(body.mass, body.inverseMass, REAL_MAX);
+        visit(body.inertia.x, body.inverseInertia.x, REAL_INFINITY);
+        visit(body.inertia.y, body.inverseInertia.y, REAL_INFINITY);
+        visit(body.inertia.z, body.inverseInertia.z, REAL_INFINITY);
     }
+
+    /// Of all numbers only forces can be NaN, poisoned ones that were added since the last step.
+    static bool mayHoldNaNs(const RigidBody &body) { return body.hasAdded || body.hasGenerated; }
+
+    static void setPosition(RigidBody &body, const Vector3 &p) { body.transform.setAxisVector(3, p); }
+    static void setPosition(State &state, const Vector3 &p) { state.position = p; }
+
+    /// Updates what a body derives from its state.
+    static void updateDerived(RigidBody &body);
+
+private:
+    static constexpr real REAL_INFINITY = std::numeric_limits<real>::infinity();
 };
 
 }  // namespace detail

@@ -70,9 +70,7 @@ void World::destroyBody(RigidBody *body) {
     requireNonNull(body, "World::destroyBody", "the body must not be null");
     require(members->contains(body) && ownedBodies->owns(body), "World::destroyBody",
             "the body must have been created by this world");
-    const std::uint64_t born = members->whenBorn(body);
-    detach(body);
-    endBody(body, born);
+    endBody(body, detach(body));
 }
 
 void World::clear() {
@@ -92,7 +90,8 @@ void World::append(RigidBody *body) {
     memberRevision = ++memberChanges;
 }
 
-void World::detach(RigidBody *body) {
+/// Returns when the body was born.
+std::uint64_t World::detach(RigidBody *body) {
     registry.remove(body);
     body->marks.inGenerator = false;
     const auto isBefore = [this](const RigidBody *a, const RigidBody *b) {
@@ -100,8 +99,8 @@ void World::detach(RigidBody *body) {
     };
     const auto listed = std::lower_bound(faultedBodies.begin(), faultedBodies.end(), body, isBefore);
     if (listed != faultedBodies.end() && *listed == body) faultedBodies.erase(listed);
-    members->erase(body);
     memberRevision = ++memberChanges;
+    return members->erase(body);
 }
 
 /// For good, unless a snapshot may bring it back.
@@ -140,10 +139,34 @@ void World::destroyForce(ForceGenerator &force) {
 
 // ---- A frame
 
+/// Runs a job over all bodies, in parts, on as many threads as are worth it.
+void World::runParts(JobSystem::Job &job, std::size_t leastForThreads) {
+    const std::size_t count = members->getBodiesAndGaps().size();
+    const std::size_t parts = (count + PARALLEL_PART - 1) / PARALLEL_PART;
+    if (jobs != nullptr && count >= leastForThreads)
+        jobs->parallelFor(parts, job);
+    else
+        for (std::size_t part = 0; part < parts; ++part) job.run(part);
+}
+
+class World::ClearJob : public JobSystem::Job {
+public:
+    explicit ClearJob(const RigidBodies &all) : bodies(all) {}
+
+    void run(std::size_t part) override {
+        const std::size_t end = std::min((part + 1) * PARALLEL_PART, bodies.size());
+        for (std::size_t n = part * PARALLEL_PART; n < end; ++n)
+            if (bodies[n] != nullptr) bodies[n]->clearAccumulators();
+    }
+
+private:
+    const RigidBodies &bodies;  ///< and gaps
+};
+
 void World::startFrame() {
     requireIdle("World::startFrame");
-    for (RigidBody *body : members->getBodiesAndGaps())
-        if (body != nullptr) body->clearAccumulators();
+    ClearJob job(members->getBodiesAndGaps());
+    runParts(job, 8 * PARALLEL_MINIMUM);
 }
 
 /// While generators that may act on any body are called, whatever is added is theirs. If one throws, it is
@@ -200,7 +223,6 @@ class World::IntegrateJob : public JobSystem::Job {
 public:
     IntegrateJob(const RigidBodies &all, real h) : bodies(all), duration(h) {}
 
-    std::size_t getPartCount() const { return (bodies.size() + PARALLEL_PART - 1) / PARALLEL_PART; }
     bool hasAnyFault() const { return anyFault; }
 
     void run(std::size_t part) override {
@@ -232,10 +254,7 @@ void World::integrate(real duration) {
             world.freeEndedBodies();
         }
     } const atEnd{*this, job};
-    if (jobs != nullptr && members->size() >= PARALLEL_MINIMUM)
-        jobs->parallelFor(job.getPartCount(), job);
-    else
-        for (std::size_t part = 0; part < job.getPartCount(); ++part) job.run(part);
+    runParts(job, PARALLEL_MINIMUM);
 }
 
 void World::listFaultedBodies(bool anyNew) {

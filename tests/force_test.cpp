@@ -1,9 +1,10 @@
 // The simple forces, each against the motion that follows from it in closed form; the registry is in
 // registry_test.cpp.
-#include <cyclone/world.h>
+#include <cyclone/cyclone.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <vector>
 
 #include "frames.h"
 #include "random.h"
@@ -215,13 +216,101 @@ TEST(Bungee, StopsAJumperWhereEnergySays) {
     EXPECT_NEAR(lowest, -(b + std::sqrt(b * b - 100)), 0.01);
 }
 
-TEST(SimpleForces, SayThatTheyActOnTheirBodyOnly) {
+// ---- What all tell alike
+
+/// One of each, at points off the centre where they take one.
+struct Everything {
     RigidBody other;
-    EXPECT_TRUE(Gravity().actsOnItsBodyOnly());
-    EXPECT_TRUE(Drag(1, 1).actsOnItsBodyOnly());
-    EXPECT_TRUE(Spring(Vector3(), &other, Vector3(), 1, 1).actsOnItsBodyOnly());
-    EXPECT_TRUE(Bungee(Vector3(), &other, Vector3(), 1, 1).actsOnItsBodyOnly());
-    EXPECT_TRUE(AnchoredSpring(Vector3(), Vector3(), 1, 1).actsOnItsBodyOnly());
+    Vector3 wind = Vector3(3, -1, 2);
+    Vector3 point = Vector3(0.5, -0.3, 0.8);
+    Matrix3 tensor = diagonal(-1, -2, -3);
+    Gravity gravity;
+    Drag drag{1, 2};
+    Spring spring{point, &other, Vector3(1, 0, 0), 10, 0.5};
+    Bungee bungee{point, &other, Vector3(0, 1, 0), 10, 0.5};
+    AnchoredSpring anchored{point, Vector3(9, 9, 9), 10, 1};
+    Aero aero{tensor, point, &wind};
+    AeroControl control{tensor, tensor, tensor * 2, point, &wind};
+    AngledAero angled{tensor, point, &wind};
+    Buoyancy buoyancy{point, 1, 0.1, 2};
+    HullDrag hullDrag{&buoyancy, point, Vector3(1, 2, 3), Vector3(4, 5, 6)};
+    Thruster thruster{Vector3(1, 2, 3), point, 50};
+    Propeller propeller{Vector3(1, 2, 3), point, 50, 20, &wind};
+
+    Everything() {
+        aero.setRotationalFlow(true);
+        control.setControl(0.5);
+        angled.setOrientation(Quaternion(1, 0.2, 0.3, 0));
+        thruster.setThrottle(0.5);
+        propeller.setThrottle(0.5);
+    }
+    std::vector<PointForce *> list() {
+        return {&gravity, &drag,   &spring,   &bungee,   &anchored, &aero,
+                &control, &angled, &buoyancy, &hullDrag, &thruster, &propeller};
+    }
+};
+
+TEST(PointForce, TellsWhatItDoesToTheBody) {
+    Everything all;
+    RigidBody body;
+    body.setMass(2);
+    body.setPosition(1, 2, 3);
+    body.setOrientation(0.5, 0.1, -0.3, 0.7);
+    body.setVelocity(4, -3, 1);
+    body.setRotation(0.3, 0.6, -0.9);
+    for (PointForce *force : all.list()) {
+        const Vector3 told = force->getForce(body);
+        const Vector3 arm = body.getDirectionInWorldSpace(force->getPointOn(body));
+        EXPECT_NE(told, Vector3());
+        EXPECT_EQ(force->getPointOn(body), force->getPosition());
+        EXPECT_EQ(force->getPosition(), force == &all.gravity || force == &all.drag ? Vector3() : all.point);
+        body.clearAccumulators();
+        force->updateForce(&body, STEP);
+        EXPECT_EQ(body.getState().added.force, told);
+        EXPECT_TRUE(isNear(body.getState().added.torque, arm % told, 1e-12));
+        EXPECT_TRUE(force->actsOnItsBodyOnly());
+    }
+}
+
+TEST(PointForce, SpringBetweenTwoBodiesTellsWhereItActsOnEach) {
+    RigidBody first, second;
+    second.setPosition(5, 0, 0);
+    const Spring spring(&first, Vector3(1, 0, 0), &second, Vector3(-1, 0, 0), 10, 1);
+    EXPECT_EQ(spring.getPointOn(first), Vector3(1, 0, 0));
+    EXPECT_EQ(spring.getPointOn(second), Vector3(-1, 0, 0));
+    EXPECT_EQ(spring.getForce(first), Vector3(20, 0, 0));
+    EXPECT_EQ(spring.getForce(second), Vector3(-20, 0, 0));
+}
+
+TEST(PointForce, DerivedClassesTellTheForceOnly) {
+    /// A wing that works in thin air.
+    class ThinAir : public Aero {
+    public:
+        using Aero::Aero;
+        Vector3 getForce(const RigidBody &body) const override { return Aero::getForce(body) * 0.25; }
+    };
+    /// A push that follows no law of the library's.
+    class Push : public PointForce {
+    public:
+        Push() : PointForce(Vector3(0, 1, 0)) {}
+        Vector3 getForce(const RigidBody &) const override { return Vector3(6, 0, 0); }
+    };
+    RigidBody body;
+    body.setVelocity(10, 0, 0);
+    ThinAir wing(diagonal(-1, -1, -1), Vector3(), nullptr);
+    wing.updateForce(&body, STEP);
+    EXPECT_EQ(body.getState().added.force, Vector3(-2.5, 0, 0));
+    Push push;
+    body.clearAccumulators();
+    push.updateForce(&body, STEP);
+    EXPECT_EQ(body.getState().added.force, Vector3(6, 0, 0));
+    EXPECT_EQ(body.getState().added.torque, Vector3(0, 0, -6));
+}
+
+TEST(Gravity, LeavesTheImmovableAlone) {
+    RigidBody rock;
+    rock.setInverseMass(0);
+    EXPECT_EQ(Gravity().getForce(rock), Vector3());
 }
 
 }  // namespace

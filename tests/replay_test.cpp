@@ -2,6 +2,7 @@
 #include <cyclone/cyclone.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <vector>
 
@@ -17,9 +18,11 @@ constexpr real STEP = 1.0 / 60;
 /// What a player does in one frame.
 struct Sticks {
     real pitch = 0, roll = 0, rudder = 0, throttle = 0;
+    bool fires = false;
 
     bool operator==(const Sticks &s) const {
-        return pitch == s.pitch && roll == s.roll && rudder == s.rudder && throttle == s.throttle;
+        return pitch == s.pitch && roll == s.roll && rudder == s.rudder && throttle == s.throttle &&
+               fires == s.fires;
     }
 };
 
@@ -61,6 +64,20 @@ public:
         rudder.setControl(sticks.rudder);
         propeller.setThrottle(sticks.throttle);
     }
+    /// A shot that leaves the nose, and pushes back.
+    RigidBody *fire(World &world) {
+        RigidBody *const shot = world.createBody();
+        const Vector3 muzzle = body->getPointInWorldSpace(Vector3(0.6, 0, 0));
+        const Vector3 kick = body->getDirectionInWorldSpace(Vector3(0.4, 0, 0));  // N·s
+        shot->setMass(0.01);
+        shot->setPosition(muzzle);
+        shot->setVelocity(body->getVelocityAtPoint(muzzle));
+        shot->setAcceleration(Vector3::GRAVITY);
+        shot->addImpulse(kick);
+        body->addImpulseAtPoint(-kick, muzzle);
+        world.createForce<Drag>(shot, 0, 1e-4);
+        return shot;
+    }
     const RigidBody &getBody() const { return *body; }
 
 private:
@@ -70,20 +87,47 @@ private:
     Propeller propeller;
 };
 
-/// A sky with two aircraft in it and a wind that turns.
+/// A sky with two aircraft in it, their shots, and a wind that turns.
 class Sky {
 public:
     using Inputs = std::array<Sticks, 2>;
+    /// What the game itself knows of a shot.
+    struct Shot {
+        RigidBody *body;
+        int endFrame;
+    };
+    /// To return to: the world, and what the game itself remembers.
+    struct Saved {
+        Snapshot world;
+        std::vector<Shot> shots;
+    };
+
+    void save(Saved &saved) const {
+        world.saveState(saved.world);
+        saved.shots = shots;
+    }
+    void restore(const Saved &saved) {
+        world.restoreState(saved.world);
+        shots = saved.shots;  // whose bodies are at the same addresses again
+    }
 
     void step(int frame, const Inputs &inputs) {
         wind = Vector3(0.5 * real_sin(0.4 * frame * STEP), 0, 0.3 * real_cos(0.7 * frame * STEP));
-        for (std::size_t player = 0; player < 2; ++player) aircraft[player].set(inputs[player]);
+        for (; !shots.empty() && shots.front().endFrame <= frame; shots.erase(shots.begin()))
+            world.destroyBody(shots.front().body);
+        for (std::size_t player = 0; player < 2; ++player) {
+            aircraft[player].set(inputs[player]);
+            if (inputs[player].fires) shots.push_back({aircraft[player].fire(world), frame + SHOT_FRAMES});
+        }
         world.startFrame();
         world.runPhysics(STEP);
     }
 
+    static constexpr int SHOT_FRAMES = 20;
+
     World world;
     Vector3 wind;
+    std::vector<Shot> shots;  // the oldest first
     std::array<Aircraft, 2> aircraft{Aircraft(world, Vector3(0, 50, 0), &wind),
                                      Aircraft(world, Vector3(0, 50, 20), &wind)};
 };
@@ -213,7 +257,7 @@ public:
         if (inputs[frame][other] == sticks) return;
         ++rollbacks;
         for (std::size_t n = frame; n < inputs.size(); ++n) inputs[n][other] = sticks;
-        sky.world.restoreState(before[frame % before.size()]);
+        sky.restore(before[frame % before.size()]);
         for (std::size_t n = frame; n < inputs.size(); ++n) simulate(n);
     }
     const std::vector<std::uint64_t> &getHashes() const { return hashes; }
@@ -221,7 +265,7 @@ public:
 
 private:
     void simulate(std::size_t frame) {
-        sky.world.saveState(before[frame % before.size()]);
+        sky.save(before[frame % before.size()]);
         sky.step(static_cast<int>(frame), inputs[frame]);
         hashes.resize(inputs.size());
         hashes[frame] = sky.world.hash();
@@ -232,12 +276,13 @@ private:
     Sticks lastHeard;
     std::vector<Sky::Inputs> inputs;
     std::vector<std::uint64_t> hashes;
-    std::array<Snapshot, LATENCY + 1> before;  // the worlds at the beginning of the last frames
+    std::array<Sky::Saved, LATENCY + 1> before;  // the worlds at the beginning of the last frames
     int rollbacks = 0;
 };
 
-TEST(Rollback, EndsAsIfNothingHadEverBeenMispredicted) {
-    const std::vector<Sky::Inputs> &inputs = recordedFlight().inputs;
+/// Two machines play, each with the other's inputs late, and end up with the hashes of those who knew all at
+/// once.
+void expectRollbackToEndIn(const std::vector<Sky::Inputs> &inputs, const std::vector<std::uint64_t> &hashes) {
     Peer peers[2] = {Peer(0), Peer(1)};
     for (std::size_t player = 0; player < 2; ++player) {
         Peer &peer = peers[player];
@@ -247,13 +292,36 @@ TEST(Rollback, EndsAsIfNothingHadEverBeenMispredicted) {
             if (!hears) continue;
             // What can no longer change is what really happened.
             const std::size_t settled = frame - Peer::LATENCY;
-            ASSERT_EQ(peer.getHashes()[settled], recordedFlight().hashes[settled]) << settled;
+            ASSERT_EQ(peer.getHashes()[settled], hashes[settled]) << settled;
         }
         for (std::size_t frame = inputs.size() - Peer::LATENCY; frame < inputs.size(); ++frame)
             peer.hear(frame, inputs[frame][1 - player]);
         EXPECT_GT(peer.getRollbacks(), 100);
-        EXPECT_EQ(peer.getHashes(), recordedFlight().hashes);
+        EXPECT_EQ(peer.getHashes(), hashes);
     }
+}
+
+TEST(Rollback, EndsAsIfNothingHadEverBeenMispredicted) {
+    expectRollbackToEndIn(recordedFlight().inputs, recordedFlight().hashes);
+}
+
+/// Shots are bodies that come and go, some of them only in a past that never was.
+TEST(Rollback, WithShotsToo) {
+    std::vector<Sky::Inputs> inputs = recordedFlight().inputs;
+    Random random(9);
+    for (Sky::Inputs &frame : inputs)
+        for (Sticks &sticks : frame) sticks.fires = random.between(0, 1) < 0.1;
+
+    Sky sky;
+    std::vector<std::uint64_t> hashes;
+    std::size_t mostShots = 0;
+    for (std::size_t frame = 0; frame < inputs.size(); ++frame) {
+        sky.step(static_cast<int>(frame), inputs[frame]);
+        hashes.push_back(sky.world.hash());
+        mostShots = std::max(mostShots, sky.shots.size());
+    }
+    EXPECT_GE(mostShots, 6U);
+    expectRollbackToEndIn(inputs, hashes);
 }
 
 }  // namespace

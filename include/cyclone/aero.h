@@ -8,13 +8,14 @@
 /// current past a keel is the same. Tensors are in body axes; drag is a negative diagonal, lift an entry off
 /// the diagonal.
 #include <cyclone/force.h>
+#include <cyclone/water.h>
 #include <cyclone/wind.h>
 
 namespace cyclone {
 
-/// A surface: force = R·A·Rᵀ·(velocity + windspeed), at a point of the body. A step is stable while
-/// |A|/mass·duration < 1 and, with rotational flow, |A|·|position|²/inertia·duration < 1.
-class CYCLONE_API Aero : public ForceGenerator {
+/// A surface: force = R·A·Rᵀ·(velocity + windspeed), at a point of the body. It may resist as strongly as it
+/// likes, see ForceGenerator::addResistance.
+class CYCLONE_API Aero : public PointForce {
 public:
     /// Tensor A in N·s/m and position in m, body coordinates, finite. windspeed in m/s, world coordinates, is
     /// read at each frame and must live as long as the surface acts; null is still air.
@@ -29,31 +30,44 @@ public:
     /// the velocity + windspeed − the field's. It must live as long as the surface acts; null is none.
     void setWind(const WindField *field) { windField = field; }
 
+    /// Puts the surface into water: a keel, a rudder, a hydrofoil, the bottom of a planing boat. The flow is
+    /// that past the water where the surface is, and the force is multiplied by clamp(depth/fullDepth, 0, 1):
+    /// out of the water it does nothing. fullDepth in m, positive. The water must live as long as the surface
+    /// acts; null is none.
+    void setWater(const Water *sea, real fullDepth);
+
     /// The tensor in use now, body coordinates.
     const Matrix3 &getTensor() const { return tensor; }
-    Vector3 getPosition() const { return position; }
 
-    /// The force on the body as it moves now, N, world coordinates.
-    Vector3 getForce(const RigidBody &body) const {
+    Vector3 getForce(const RigidBody &body) const override {
         Vector3 flow = body.getVelocity();
         if (windspeed != nullptr) flow += *windspeed;
         if (windField != nullptr) flow -= windField->getVelocity(body.getPointInWorldSpace(position));
         if (rotationalFlow) flow += body.getRotation() % body.getDirectionInWorldSpace(position);
-        return body.getDirectionInWorldSpace(tensor * body.getDirectionInLocalSpace(flow));
+        return water == nullptr ? getForceOf(flow, body) : getForceInWater(flow, body);
     }
-
     void updateForce(RigidBody *body, real duration) override;
-    bool actsOnItsBodyOnly() const override { return true; }
+    void addResistance(const RigidBody &body, Resistance &sum) const override;
 
 protected:
     /// For derived classes: `function` is whose arguments they are.
     Aero(const char *function, const Matrix3 &tensor, const Vector3 &position, const Vector3 *windspeed);
+    void setTensor(const Matrix3 &bodyTensor);
 
     Matrix3 tensor;
-    Vector3 position;
+    real tensorSize;  ///< at least the tensor's norm
     const Vector3 *windspeed;
     const WindField *windField = nullptr;
+    const Water *water = nullptr;
+    real fullDepth = 1;
     bool rotationalFlow = false;
+
+private:
+    Vector3 getForceOf(const Vector3 &flow, const RigidBody &body) const {
+        return body.getDirectionInWorldSpace(tensor * body.getDirectionInLocalSpace(flow));
+    }
+    Vector3 getForceInWater(const Vector3 &flow, const RigidBody &body) const;
+    real wettedPart(const Vector3 &point, real surfaceHeight) const;
 };
 
 /// A surface with a control, such as a wing with a flap: the tensor is `min` at control −1, `base` at 0,

@@ -14,6 +14,8 @@ class StepBlock;
 struct StateMembers;
 }  // namespace detail
 
+struct Resistance;
+
 /// A force that acts at the centre of mass (N) and a torque (N·m), in world coordinates.
 struct Wrench {
     Vector3 force, torque;
@@ -41,11 +43,11 @@ public:
     real getInverseMass() const { return inverseMass; }
     bool hasFiniteMass() const { return inverseMass > 0; }
 
-    /// About the centre of mass, in body axes, kg·m²: symmetric, its principal moments positive. The rotation
-    /// is kept.
+    /// About the centre of mass, in body axes, kg·m²: symmetric, its principal moments positive, between
+    /// 1e-100 and 1e100 and none more than 1e12 times another. The rotation is kept.
     void setInertiaTensor(const Matrix3 &inertiaTensor);
-    /// Its inverse: symmetric, no principal value negative. About an axis whose value is 0, a locked axis,
-    /// torques do nothing.
+    /// Its inverse: symmetric, no principal value negative, and the moments within the same bounds. About
+    /// an axis whose value is 0, a locked axis, torques do nothing.
     void setInverseInertiaTensor(const Matrix3 &inverseInertiaTensor);
     /// Refuses when an axis is locked, since the tensor is then infinite.
     Matrix3 getInertiaTensor() const;
@@ -88,6 +90,15 @@ public:
     /// At once, whatever the step.
     void addVelocity(const Vector3 &change);
     void addRotation(const Vector3 &change);
+    /// At once, whatever the step: impulses (N·s) in world coordinates, at the centre of mass or at a point.
+    /// They do nothing to immovable bodies, nor about locked axes.
+    void addImpulse(const Vector3 &impulse);
+    void addImpulseAtPoint(const Vector3 &impulse, const Vector3 &worldPoint);
+    /// How fast the body moves at a point that it carries with it (m/s): velocity + rotation × (worldPoint −
+    /// position).
+    Vector3 getVelocityAtPoint(const Vector3 &worldPoint) const {
+        return velocity + rotation % (worldPoint - getPosition());
+    }
     /// About the centre of mass, world coordinates, kg·m²/s; of an immovable body zero.
     Vector3 getAngularMomentum() const { return angularMomentum; }
 
@@ -133,6 +144,17 @@ public:
     }
     /// World coordinates, N·m.
     void addTorque(const Vector3 &torque) { addWrench(Vector3(), torque); }
+    /// Both at once.
+    void addWrench(const Wrench &wrench) { addWrench(wrench.force, wrench.torque); }
+    /// For a generator, beside the force that it adds: the most by which its force answers to velocity
+    /// (N·s/m) and its torque to rotation (N·m·s). Where all of it together is too strong for an explicit
+    /// step, the registry makes the step implicit, see ForceGenerator::addResistance.
+    void addResistance(real linear, real angular) {
+        const Vector3 &i = inverseInertia;
+        const real larger = i.x > i.y ? i.x : i.y;
+        resistance += linear * inverseMass + angular * (larger > i.z ? larger : i.z);
+        hasGenerated = true;
+    }
     /// Takes back what has been added since the last step.
     void clearAccumulators() {
         if (hasAdded || hasGenerated) clearForces();
@@ -248,6 +270,12 @@ private:
         if (!awake) wakeForForce(force, torque);
     }
     void clearForces();
+    /// Makes the coming step's kick implicit where it resists too strongly for an explicit one.
+    void resist(const Resistance &sum, real duration);
+    /// Whether that may be so.
+    bool mayBeStiff(real duration) const { return awake && resistance * duration > EXPLICIT_LIMIT; }
+    /// The resistance·duration up to which steps are wholly explicit; from twice that on they are implicit.
+    static constexpr real EXPLICIT_LIMIT = 0.5;
     void wakeForForce(const Vector3 &force, const Vector3 &torque);
 
     void forgetForces() { memory.linearKick = memory.angularKick = dampedDuration = 0; }
@@ -280,6 +308,7 @@ private:
     Wrench generated;  ///< what generators have added since the last step
     real inverseMass = 1;
     Vector3 inverseInertia = Vector3(1, 1, 1);  ///< principal
+    real resistance = 0;                        ///< what generators have told, at most, 1/s
 
     Quaternion orientation;
     Vector3 angularMomentum;

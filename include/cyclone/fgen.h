@@ -6,4 +6,6 @@
 #include <cyclone/buoyancy.h>
 #include <cyclone/force.h>
 #include <cyclone/propulsion.h>
+#include <cyclone/water.h>
 #include <cyclone/wind.h>
+#include <cyclone/wing.h>

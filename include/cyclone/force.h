@@ -5,12 +5,24 @@
 /// and the simple forces.
 #include <cyclone/body.h>
 
+#include <atomic>
 #include <cstddef>
 #include <cstdint>
 #include <memory>
 #include <vector>
 
 namespace cyclone {
+
+/// How a force and its torque about the centre of mass answer to the motion of the body: their derivatives
+/// by its velocity and by its rotation, SI, world coordinates. What resists is negative, as in an aerodynamic
+/// tensor.
+struct CYCLONE_API Resistance {
+    Matrix3 forceByVelocity, forceByRotation, torqueByVelocity, torqueByRotation;
+
+    /// Adds that of a force with ∂force/∂flow = `tensor` (N·s/m) that acts at `arm` from the centre of mass
+    /// (m). The flow is the velocity of the centre or, with rotational flow, of the point itself.
+    void add(const Matrix3 &tensor, const Vector3 &arm, bool rotationalFlow);
+};
 
 /// Something that adds a force, a torque or both to a body in every frame. Derive from it for forces of your
 /// own.
@@ -36,10 +48,42 @@ public:
     /// other body leaves the World.
     virtual const RigidBody *getOtherBody(const RigidBody * /*body*/) const { return nullptr; }
 
+    /// Adds how what updateForce adds answers to the motion of the body as it moves now. A generator that
+    /// tells so may resist motion as strongly as it likes, alone or with others, at any step; one that does
+    /// not is bound to |resistance|/mass·duration < 1. Called after all generators of a body, and only if
+    /// what they told RigidBody::addResistance may be too strong for an explicit step. To tell more than is
+    /// true is safe: the motion ends the same, only later.
+    virtual void addResistance(const RigidBody &body, Resistance &sum) const;
+
 protected:
     ForceGenerator() = default;
     ForceGenerator(const ForceGenerator &) = default;
     ForceGenerator &operator=(const ForceGenerator &) = default;
+};
+
+/// A generator whose force acts at one point of the body: a surface, a hull, an engine. A game that draws or
+/// sounds forces asks all of them alike.
+class CYCLONE_API PointForce : public ForceGenerator {
+public:
+    /// On this body as it lies and moves now, N, world coordinates.
+    virtual Vector3 getForce(const RigidBody &body) const = 0;
+    /// The point of this body where it acts, body coordinates, m.
+    virtual Vector3 getPointOn(const RigidBody &) const { return position; }
+    /// The same as it was constructed; only a spring between two bodies acts at different points of them.
+    Vector3 getPosition() const { return position; }
+
+    void updateForce(RigidBody *body, real duration) override;
+    bool actsOnItsBodyOnly() const override { return true; }
+
+protected:
+    /// At the centre of mass.
+    PointForce() = default;
+    /// At this point, body coordinates, m, finite.
+    explicit PointForce(const Vector3 &position);
+    /// For derived classes: `function` is whose argument it is.
+    PointForce(const char *function, const Vector3 &position);
+
+    Vector3 position;
 };
 
 class JobSystem;
@@ -93,6 +137,7 @@ private:
     enum class Phase { IDLE, SERIAL, PARALLEL };
     class Update;
     class ParallelJob;
+    class ResistJob;
     /// A generator of the registry's own after its last registration.
     struct EndedGenerator {
         std::unique_ptr<ForceGenerator> generator;
@@ -102,6 +147,7 @@ private:
     void prefetchFor(std::size_t index) const;
     void callGenerator(std::size_t index, real duration);
     void callInOrder(std::size_t begin, std::size_t end, real duration);
+    void resist(std::size_t begin, std::size_t end, real duration);
     std::size_t endOfRun(std::size_t begin, std::size_t end) const;
 
     bool hasCrossBodyGenerators() const;
@@ -121,6 +167,7 @@ private:
     std::uint64_t changes = 0;   ///< so far
     std::uint64_t revision = 0;  ///< another number after each change
     Phase phase = Phase::IDLE;
+    std::atomic<bool> anyMayBeStiff{false};  ///< of the bodies whose generators have been called
     std::size_t ownedCount = 0;
     std::vector<EndedGenerator> endedGenerators;       ///< room for all that are owned
     std::shared_ptr<detail::SnapshotHistory> history;  ///< null: nothing comes back
@@ -128,12 +175,11 @@ private:
 
 /// Gravity as a force: mass·acceleration. For most games RigidBody::setAcceleration does the same for less.
 /// Nothing acts on immovable bodies.
-class CYCLONE_API Gravity : public ForceGenerator {
+class CYCLONE_API Gravity : public PointForce {
 public:
     /// m/s², world coordinates.
     explicit Gravity(const Vector3 &acceleration = Vector3::GRAVITY);
-    void updateForce(RigidBody *body, real duration) override;
-    bool actsOnItsBodyOnly() const override { return true; }
+    Vector3 getForce(const RigidBody &body) const override;
 
 private:
     Vector3 acceleration;
@@ -141,9 +187,9 @@ private:
 
 class WindField;
 
-/// Drag at the centre of mass, against the velocity v through the air: −v/|v|·(k1·|v| + k2·|v|²). A step is
-/// stable while (k1 + k2·|v|)/mass·duration < 1.
-class CYCLONE_API Drag : public ForceGenerator {
+/// Drag at the centre of mass, against the velocity v through the air: −v/|v|·(k1·|v| + k2·|v|²). It may be
+/// as strong as it likes, see ForceGenerator::addResistance.
+class CYCLONE_API Drag : public PointForce {
 public:
     /// k1 in N·s/m, k2 in N·s²/m²; finite and not negative.
     Drag(real k1, real k2);
@@ -152,19 +198,70 @@ public:
     /// as long as the drag acts; null is still air.
     void setWind(const WindField *field) { windField = field; }
 
+    Vector3 getForce(const RigidBody &body) const override;
     void updateForce(RigidBody *body, real duration) override;
-    bool actsOnItsBodyOnly() const override { return true; }
+    void addResistance(const RigidBody &body, Resistance &sum) const override;
 
 private:
+    Vector3 getFlow(const RigidBody &body) const;
+
     real k1, k2;
     const WindField *windField = nullptr;
 };
 
-/// A spring from a point of the body to a point of another: along the line d between them −k(|d| − L)·d/|d|,
-/// pulling when stretched, pushing when compressed; at zero length no force. It acts on the body that it is
-/// registered for. For the other, register its mirror image, or tell the constructor both bodies and register
-/// it for both; World::createSpring does so.
-class CYCLONE_API Spring : public ForceGenerator {
+/// What pulls a point of the body towards a far end, along the line d from there: −T·d/|d| with the tension
+///
+///     T = k·(|d| − L) + c·d|d|/dt
+///
+/// Stretched it pulls, compressed it pushes; at zero length there is no force. A step is stable while
+/// duration < 2/√(k/m), with 1/m the sum of the inverse masses of both ends. The damping may be as strong as
+/// it likes, see ForceGenerator::addResistance.
+class CYCLONE_API ElasticForce : public PointForce {
+public:
+    /// k, N/m; finite and not negative.
+    void setSpringConstant(real newtonsPerMetre);
+    real getSpringConstant() const { return springConstant; }
+    /// L, m; finite and not negative.
+    void setRestLength(real metres);
+    real getRestLength() const { return restLength; }
+    /// c, N·s/m, for the motion of the two ends along the line; finite and not negative. 0 by default.
+    void setDamping(real newtonSecondsPerMetre);
+    real getDamping() const { return damping; }
+
+    /// As it is stretched between the body and the far end now: |d|, m, and T, N.
+    real getLength(const RigidBody &body) const { return getLine(body).separation.magnitude(); }
+    real getTension(const RigidBody &body) const { return tensionOf(getLine(body)); }
+    Vector3 getForce(const RigidBody &body) const override;
+
+    void updateForce(RigidBody *body, real duration) override;
+    void addResistance(const RigidBody &body, Resistance &sum) const override;
+
+protected:
+    /// From the far end to the body's, m, and how fast that changes, m/s; world coordinates.
+    struct Line {
+        Vector3 separation, velocity;
+    };
+
+    /// For derived classes: `function` is whose arguments they are.
+    ElasticForce(const char *function, const Vector3 &connectionPoint, real springConstant, real restLength);
+    virtual Line getLine(const RigidBody &body) const = 0;
+    virtual real tensionOf(const Line &line) const;
+    /// How much the far end's velocity answers to an impulse along this unit vector, 1/kg; 0: not at all.
+    virtual real getFarInverseMass(const RigidBody & /*body*/, const Vector3 & /*direction*/) const {
+        return 0;
+    }
+
+private:
+    real getPairDamping(const RigidBody &body, const Vector3 &direction) const;
+
+    real springConstant, restLength;
+    real damping = 0;
+};
+
+/// From a point of the body to a point of another. It acts on the body that it is registered for. For the
+/// other, register its mirror image, or tell the constructor both bodies and register it for both;
+/// World::createSpring does so.
+class CYCLONE_API Spring : public ElasticForce {
 public:
     /// Points in body coordinates, `other` not null and alive as long as the spring acts, springConstant k in
     /// N/m and restLength L in m, finite and not negative.
@@ -175,28 +272,22 @@ public:
            const Vector3 &otherConnectionPoint, real springConstant, real restLength);
 
     const RigidBody *getOtherBody(const RigidBody *body) const override;
-    void updateForce(RigidBody *body, real duration) override;
-    bool actsOnItsBodyOnly() const override { return true; }
+    Vector3 getPointOn(const RigidBody &body) const override;
 
 protected:
     /// For derived classes: `function` is whose arguments they are, and a null body one that is not told.
     Spring(const char *function, const RigidBody *body, const Vector3 &connectionPoint,
            const RigidBody *other, const Vector3 &otherConnectionPoint, real springConstant, real restLength);
-    /// The point of the body where it acts, body coordinates.
-    Vector3 getPointOn(const RigidBody &body) const;
-    /// From the other body's point to this body's, world coordinates.
-    Vector3 getSeparation(const RigidBody &body) const;
+    Line getLine(const RigidBody &body) const override;
+    real getFarInverseMass(const RigidBody &body, const Vector3 &direction) const override;
 
 private:
+    Vector3 getFarPoint(const RigidBody &body) const;
     bool isOther(const RigidBody &body) const { return &body == other && firstBody != nullptr; }
 
     const RigidBody *firstBody;  ///< null: whichever it is registered for
-    Vector3 connectionPoint;
     const RigidBody *other;
     Vector3 otherConnectionPoint;
-
-protected:
-    real springConstant, restLength;
 };
 
 /// A spring that only pulls: slack, it does nothing.
@@ -207,23 +298,27 @@ public:
            real springConstant, real restLength);
     Bungee(const RigidBody *body, const Vector3 &connectionPoint, const RigidBody *other,
            const Vector3 &otherConnectionPoint, real springConstant, real restLength);
-    void updateForce(RigidBody *body, real duration) override;
+    void addResistance(const RigidBody &body, Resistance &sum) const override;
+
+protected:
+    real tensionOf(const Line &line) const override;
 };
 
-/// A spring from a point of the body to a fixed point of the world.
-class CYCLONE_API AnchoredSpring : public ForceGenerator {
+/// From a point of the body to a fixed point of the world.
+class CYCLONE_API AnchoredSpring : public ElasticForce {
 public:
     /// connectionPoint in body coordinates, anchor in world coordinates; constants as for Spring.
     AnchoredSpring(const Vector3 &connectionPoint, const Vector3 &anchor, real springConstant,
                    real restLength);
+    /// For the damping, the anchor counts as at rest wherever it is moved.
     void setAnchor(const Vector3 &worldPoint);
     Vector3 getAnchor() const { return anchor; }
-    void updateForce(RigidBody *body, real duration) override;
-    bool actsOnItsBodyOnly() const override { return true; }
+
+protected:
+    Line getLine(const RigidBody &body) const override;
 
 private:
-    Vector3 connectionPoint, anchor;
-    real springConstant, restLength;
+    Vector3 anchor;
 };
 
 }  // namespace cyclone

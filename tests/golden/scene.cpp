@@ -42,7 +42,7 @@ Matrix3 diagonal(real a, real b, real c) {
 
 }  // namespace
 
-Scene::Scene(std::size_t threads) {
+Scene::Scene(std::size_t threads, int swarmSize) {
     air.add(&shear);
     air.add(&thermal);
     air.add(&gusts);
@@ -59,7 +59,7 @@ Scene::Scene(std::size_t threads) {
     addTop(Vector3(4, 0, 120), Vector3(6000, 1, 20));  // more than 64 rad a step
     addTop(Vector3(6, 0, 120), Vector3(5, 12, -8));
     for (int n = 0; n < 6; ++n) addSleeper(Vector3(2.0 * n, 0, 140));
-    addSwarm(250);
+    addSwarm(swarmSize);
     visitor.setPosition(0, 0, 160);
     visitor.setRotation(1, 2, 3);
     world.setWorkers(threads);
@@ -195,8 +195,10 @@ void Scene::addSwarm(int count) {
         swarm.push_back(body);
         registerAction(body, &gravity);
         const real k1 = random.between(0.1, 0.4), k2 = random.between(0.05, 0.1);
-        act<Drag>(body, k1, k2);
-        act<Aero>(body, diagonal(-0.2, -0.3, -0.1), random.vector(0.3), &wind)->setRotationalFlow(n % 3 == 0);
+        Drag *const drag = act<Drag>(body, k1, k2);
+        Aero *const wing = act<Aero>(body, diagonal(-0.2, -0.3, -0.1), random.vector(0.3), &wind);
+        wing->setRotationalFlow(n % 3 == 0);
+        swarmForces.push_back({&gravity, drag, wing});
         if (n % 2 == 0) {
             const Vector3 anchor = body->getPosition() + random.vector(3);
             act<AnchoredSpring>(body, random.vector(0.3), anchor, 15.0, 1.0);
@@ -317,11 +319,11 @@ void Scene::changeBodies() {
             world.addBody(&visitor);
         visitorIsIn = !visitorIsIn;
     } else {
-        RigidBody *&place = swarm[static_cast<std::size_t>(frame / 211) * 11 % swarm.size()];
-        world.destroyBody(place);
-        place = world.createBody();
-        setUpSwarmBody(place);
-        world.getForceRegistry().add(place, &gravity);
+        const std::size_t place = static_cast<std::size_t>(frame / 211) * 11 % swarm.size();
+        world.destroyBody(swarm[place]);
+        swarm[place] = world.createBody();
+        setUpSwarmBody(swarm[place]);
+        for (ForceGenerator *force : swarmForces[place]) world.getForceRegistry().add(swarm[place], force);
     }
 }
 

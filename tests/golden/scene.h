@@ -38,7 +38,7 @@ private:
 /// its own, steered by inputs that depend on nothing but the frame's number.
 class Scene {
 public:
-    explicit Scene(std::size_t threads = 0);
+    explicit Scene(std::size_t threads = 0, int swarmSize = 250);
     Scene(const Scene &) = delete;
     Scene &operator=(const Scene &) = delete;
 
@@ -120,6 +120,7 @@ private:
     std::vector<cyclone::AngledAero *> sails;
     std::vector<cyclone::Thruster *> thrusters;
     std::vector<RigidBody *> links, doors, sleepers, swarm;
+    std::vector<std::vector<cyclone::ForceGenerator *>> swarmForces;  ///< by place in the swarm
     RigidBody *platform = nullptr;
     RigidBody visitor;
     bool visitorIsIn = false;

@@ -19,24 +19,46 @@ namespace {
 
 }  // namespace
 
-OutputFile::OutputFile(const std::string &path) : path_(path) {
+OutputFile::Buffer::int_type OutputFile::Buffer::overflow(int_type c) {
     errno = 0;
-    stream_.open(path, std::ios::binary);
-    if (!stream_) fail("write", path, errno);
+    const int_type result = std::filebuf::overflow(c);
+    if (traits_type::eq_int_type(result, traits_type::eof()) && error == 0) error = errno;
+    return result;
+}
+
+std::streamsize OutputFile::Buffer::xsputn(const char *text, std::streamsize count) {
+    errno = 0;
+    const std::streamsize written = std::filebuf::xsputn(text, count);
+    if (written < count && error == 0) error = errno;
+    return written;
+}
+
+OutputFile::OutputFile(const std::string &path) : path_(path), stream_(nullptr) {
+    errno = 0;
+    if (!buffer_.open(path, std::ios::out | std::ios::binary)) fail("write", path, errno);
+    stream_.rdbuf(&buffer_);
 }
 
 OutputFile::~OutputFile() {
     if (isFinished_) return;
-    stream_.close();
+    buffer_.close();
     std::error_code ignored;  // a device stays, as does what has gone already
     if (std::filesystem::is_regular_file(path_, ignored)) std::filesystem::remove(path_, ignored);
 }
 
 void OutputFile::finish() {
     errno = 0;
-    stream_.close();
-    if (!stream_) fail("write", path_, errno);
+    const bool closed = buffer_.close() != nullptr;
+    if (!stream_ || !closed) fail("write", path_, buffer_.getError() != 0 ? buffer_.getError() : errno);
     isFinished_ = true;
+}
+
+bool isSameFile(const std::string &a, const std::string &b) {
+    namespace fs = std::filesystem;
+    std::error_code error;
+    if (fs::exists(a, error) && fs::exists(b, error))
+        return fs::is_regular_file(a, error) && fs::equivalent(a, b, error);
+    return fs::weakly_canonical(fs::absolute(a), error) == fs::weakly_canonical(fs::absolute(b), error);
 }
 
 std::string readFile(const std::string &path) {

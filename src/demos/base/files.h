@@ -2,6 +2,7 @@
 
 /// Files that a demo reads and writes, with a clear word when it can't.
 #include <fstream>
+#include <ostream>
 #include <string>
 
 namespace demo {
@@ -23,10 +24,28 @@ public:
     void finish();
 
 private:
+    /// Remembers why it failed: a stream only knows that it did.
+    class Buffer : public std::filebuf {
+    public:
+        int getError() const { return error; }
+
+    protected:
+        int_type overflow(int_type c) override;
+        std::streamsize xsputn(const char *text, std::streamsize count) override;
+
+    private:
+        int error = 0;
+    };
+
     std::string path_;
-    std::ofstream stream_;
+    Buffer buffer_;
+    std::ostream stream_;
     bool isFinished_ = false;
 };
+
+/// Whether both names lead to one file, existing or to be made; devices are nobody's, so that two outputs may
+/// go to /dev/null.
+bool isSameFile(const std::string &a, const std::string &b);
 
 /// The whole file; throws std::runtime_error, "cannot read 'path': reason".
 std::string readFile(const std::string &path);

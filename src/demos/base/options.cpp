@@ -1,5 +1,7 @@
 #include "base/options.h"
 
+#include "base/text.h"
+
 #include <algorithm>
 #include <cerrno>
 #include <cmath>
@@ -16,22 +18,13 @@ namespace {
 
 std::string quoted(const std::string &text) { return "'" + text + "'"; }
 
-std::string written(real value) {
-    std::ostringstream out;
-    out << value;
-    return out.str();
-}
-
-/// std::strtod alone would also take leading blanks, hexadecimal digits, "inf" and "nan".
-real readNumber(const std::string &text, real low, real high) {
-    const bool plain = !text.empty() && text.find_first_not_of("+-.0123456789eE") == std::string::npos;
-    char *end = nullptr;
-    const real value = std::strtod(text.c_str(), &end);
-    if (!plain || *end != '\0') throw std::invalid_argument(quoted(text) + " is not a number");
-    if (!(value >= low && value <= high))
-        throw std::invalid_argument(quoted(text) + " is not between " + written(low) + " and " +
-                                    written(high));
-    return value;
+real readWithin(const std::string &text, real low, real high) {
+    const std::optional<real> value = readNumber(text);
+    if (!value) throw std::invalid_argument(quoted(text) + " is not a number");
+    if (!(*value >= low && *value <= high))
+        throw std::invalid_argument(quoted(text) + " is not between " + shortest(low) + " and " +
+                                    shortest(high));
+    return *value;
 }
 
 unsigned long long readInteger(const std::string &text, unsigned long long high) {
@@ -57,15 +50,16 @@ Options::Options(std::string program, std::string summary, std::string version)
 
 void Options::addNumber(const std::string &name, const std::string &placeholder, const std::string &help,
                         real &value, real low, real high) {
-    add({name, placeholder, help + " (" + written(value) + ")", [&value, low, high](const std::string &text) {
-             return [&value, number = readNumber(text, low, high)] { value = number; };
+    add({name, placeholder, help + " (" + shortest(value) + ")",
+         [&value, low, high](const std::string &text) {
+             return [&value, number = readWithin(text, low, high)] { value = number; };
          }});
 }
 
 void Options::addNumber(const std::string &name, const std::string &placeholder, const std::string &help,
                         std::optional<real> &value, real low, real high) {
     add({name, placeholder, help, [&value, low, high](const std::string &text) {
-             return [&value, number = readNumber(text, low, high)] { value = number; };
+             return [&value, number = readWithin(text, low, high)] { value = number; };
          }});
 }
 
@@ -109,6 +103,13 @@ bool Options::wasGiven(const std::string &name) const {
     for (const Option &option : options_)
         if (option.name == name) return option.given;
     throw std::logic_error("Options: --" + name + " is not declared");
+}
+
+std::vector<std::string> Options::getGiven() const {
+    std::vector<std::string> names;
+    for (const Option &option : options_)
+        if (option.given) names.push_back(option.name);
+    return names;
 }
 
 std::optional<int> Options::parse(int argc, const char *const argv[], std::ostream &out, std::ostream &err) {

@@ -49,6 +49,9 @@ public:
     /// declared.
     bool wasGiven(const std::string &name) const;
 
+    /// The names of those that the parsed command line had.
+    std::vector<std::string> getGiven() const;
+
     /// The text of --help.
     std::string usage() const;
 

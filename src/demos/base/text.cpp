@@ -1,6 +1,7 @@
 #include "base/text.h"
 
 #include <cmath>
+#include <cstdlib>
 #include <iomanip>
 #include <locale>
 #include <sstream>
@@ -25,6 +26,33 @@ std::string fixed(real value, int decimals) {
 std::string signedFixed(real value, int decimals) {
     const std::string text = fixed(value, decimals);
     return text[0] == '-' ? text : '+' + text;
+}
+
+std::string significant(real value, int digits) {
+    std::ostringstream out;
+    out.imbue(std::locale::classic());
+    out << std::setprecision(digits) << value;
+    return out.str();
+}
+
+std::string shortest(real value) {
+    // As many digits as stand before the point, so that twenty is 20 and not 2e+01.
+    const real size = std::fabs(value);
+    const int least = size >= 1 && size < 1e15 ? static_cast<int>(std::log10(size)) + 1 : 1;
+    for (int digits = least; digits < 17; ++digits) {
+        const std::string text = significant(value, digits);
+        if (readNumber(text) == value) return text;
+    }
+    return significant(value, 17);
+}
+
+std::optional<real> readNumber(const std::string &text) {
+    // strtod alone would also take leading blanks, hexadecimal digits, "inf" and "nan".
+    if (text.empty() || text.find_first_not_of("+-.0123456789eE") != std::string::npos) return std::nullopt;
+    char *end = nullptr;
+    const real value = std::strtod(text.c_str(), &end);
+    if (*end != '\0' || !std::isfinite(value)) return std::nullopt;
+    return value;
 }
 
 real compassDegrees(real angle) {

@@ -1,6 +1,6 @@
 #include "flightsim/aircraft.h"
 
-namespace demo {
+namespace flightsim {
 
 using cyclone::Matrix3;
 using cyclone::real_atan2;
@@ -33,8 +33,9 @@ const std::array<Vector3, 7> HULL = {
 
 }  // namespace
 
-Aircraft::Aircraft(const Vector3 *wind)
-    : portWing(WING, WING_LESS, WING_MORE, mirrored(WING_POSITION), wind),
+Aircraft::Aircraft(cyclone::World &w, const Vector3 *wind)
+    : world(w),
+      portWing(WING, WING_LESS, WING_MORE, mirrored(WING_POSITION), wind),
       starboardWing(WING, WING_LESS, WING_MORE, WING_POSITION, wind),
       tailplane(TAILPLANE, TAIL_POSITION, wind),
       rudder(rudderTensor(0), rudderTensor(-0.4), rudderTensor(0.4), RUDDER_POSITION, wind),
@@ -62,6 +63,8 @@ Aircraft::Aircraft(const Vector3 *wind)
     launch(Vector3(0, 20, 0));
 }
 
+Aircraft::~Aircraft() { world.removeBody(&body); }
+
 void Aircraft::park(const Vector3 &below) {
     launch(Vector3(below.x, WHEEL_HEIGHT, below.z));
     body.setVelocity(Vector3());
@@ -85,11 +88,6 @@ void Aircraft::setControls(const FlightControls &sticks) {
     rudder.setControl(-RUDDER_THROW * sticks.rudder);
     propeller.setThrottle(sticks.throttle);
     wheels[0].setSteering(STEERING_THROW * sticks.rudder);
-}
-
-void Aircraft::step(real duration) {
-    world.startFrame();
-    world.runPhysics(duration);
 }
 
 Vector3 Aircraft::getVelocityThroughAir() const {
@@ -122,4 +120,4 @@ bool Aircraft::isBroken() const {
     return false;
 }
 
-}  // namespace demo
+}  // namespace flightsim

@@ -7,7 +7,9 @@
 
 #include <array>
 
-namespace demo {
+namespace flightsim {
+
+using namespace demo;
 
 /// Where the sticks are: −1 … 1, throttle 0 … 1. At zero the aircraft flies straight.
 struct FlightControls {
@@ -52,8 +54,10 @@ public:
     static constexpr real PITCH_THROW = 0.25, ROLL_THROW = 0.1, RUDDER_THROW = 0.25;
     static constexpr real STEERING_THROW = 0.4;  ///< rad, of the nose wheel
 
-    /// In still air unless windspeed says otherwise; it is read at each step and must outlive the aircraft.
-    explicit Aircraft(const Vector3 *windspeed = nullptr);
+    /// Adds the aircraft and its forces to the world, in the air. The air is still unless windspeed says
+    /// otherwise, which is read at each step. Both must outlive the aircraft.
+    explicit Aircraft(cyclone::World &world, const Vector3 *windspeed = nullptr);
+    ~Aircraft();
     Aircraft(const Aircraft &) = delete;
     Aircraft &operator=(const Aircraft &) = delete;
 
@@ -65,12 +69,9 @@ public:
     void setControls(const FlightControls &sticks);
     const FlightControls &getControls() const { return controls; }
 
-    void step(real duration);
-
     const RigidBody &getBody() const { return body; }
     /// For tests, and for whoever wants to disturb it.
     RigidBody &getBody() { return body; }
-    const cyclone::World &getWorld() const { return world; }
 
     Vector3 getVelocityThroughAir() const;
     real getAirspeed() const { return getVelocityThroughAir().magnitude(); }
@@ -93,6 +94,7 @@ public:
     static const Vector3 MOMENTS_OF_INERTIA;  ///< kg·m²
 
 private:
+    cyclone::World &world;
     RigidBody body;
     cyclone::AeroControl portWing, starboardWing;
     cyclone::Aero tailplane;
@@ -102,7 +104,6 @@ private:
     std::array<const cyclone::Aero *, 4> surfaces;
     const Vector3 *windspeed;
     FlightControls controls;
-    cyclone::World world;
 };
 
-}  // namespace demo
+}  // namespace flightsim

@@ -2,7 +2,7 @@
 
 #include "picture/solids.h"
 
-namespace demo {
+namespace flightsim {
 
 namespace {
 
@@ -141,12 +141,11 @@ Part rectangle(const std::string &name, real x1, real x2, real z1, real z2, Colo
 
 }  // namespace
 
-std::vector<Part> makeFlightParts() {
-    return {makeBody(), makeFlap("port flap"), makeFlap("starboard flap"), makeRudder(), makePropeller(),
-            makePole(), makeWindsock()};
+std::vector<Part> makeAircraftParts() {
+    return {makeBody(), makeFlap("port flap"), makeFlap("starboard flap"), makeRudder(), makePropeller()};
 }
 
-std::vector<Pose> poseFlightParts(const Aircraft &aircraft, real propellerAngle, const Vector3 &windspeed) {
+std::vector<Pose> poseAircraft(const Aircraft &aircraft, real propellerAngle) {
     const FlightControls &sticks = aircraft.getControls();
     const Vector3 portHinge(FLAP_HINGE.x, FLAP_HINGE.y, -FLAP_HINGE.z);
     const real both = 20 * DEGREE * sticks.pitch, opposite = 20 * DEGREE * sticks.roll;
@@ -154,9 +153,13 @@ std::vector<Pose> poseFlightParts(const Aircraft &aircraft, real propellerAngle,
             onBody(aircraft, portHinge, Vector3::Z, both + opposite),
             onBody(aircraft, FLAP_HINGE, Vector3::Z, both - opposite),
             onBody(aircraft, RUDDER_HINGE, Vector3::Y, 25 * DEGREE * sticks.rudder),
-            onBody(aircraft, PROPELLER_HUB, Vector3::X, propellerAngle),
-            {WINDSOCK, Quaternion()},
-            {WINDSOCK, windsockOrientation(windspeed)}};
+            onBody(aircraft, PROPELLER_HUB, Vector3::X, propellerAngle)};
+}
+
+std::vector<Part> makeWindsockParts() { return {makePole(), makeWindsock()}; }
+
+std::vector<Pose> poseWindsock(const Vector3 &windspeed) {
+    return {{WINDSOCK, Quaternion()}, {WINDSOCK, windsockOrientation(windspeed)}};
 }
 
 std::vector<Part> paintRunway() {
@@ -168,4 +171,4 @@ std::vector<Part> paintRunway() {
     return paint;
 }
 
-}  // namespace demo
+}  // namespace flightsim

@@ -4,15 +4,17 @@
 #include "flightsim/aircraft.h"
 #include "picture/scene.h"
 
-namespace demo {
+namespace flightsim {
 
-/// The aircraft: its body first, then what moves on it. After it the windsock.
-std::vector<Part> makeFlightParts();
+/// The airframe, and what moves on it; and where those are. The propeller has turned by propellerAngle (rad).
+std::vector<Part> makeAircraftParts();
+std::vector<Pose> poseAircraft(const Aircraft &aircraft, real propellerAngle);
 
-/// A pose for each of those. The propeller has turned by propellerAngle (rad).
-std::vector<Pose> poseFlightParts(const Aircraft &aircraft, real propellerAngle, const Vector3 &windspeed);
+/// A windsock on its pole.
+std::vector<Part> makeWindsockParts();
+std::vector<Pose> poseWindsock(const Vector3 &windspeed);
 
 /// A runway along +X, its middle line at z = 0.
 std::vector<Part> paintRunway();
 
-}  // namespace demo
+}  // namespace flightsim

@@ -5,7 +5,7 @@
 #include "base/text.h"
 #include "flightsim/aircraft_parts.h"
 
-namespace demo {
+namespace flightsim {
 
 namespace {
 
@@ -15,8 +15,29 @@ constexpr real NEWTONS_PER_METRE = 10;  // of the force arrows
 constexpr Colour LIFT{255, 214, 64}, THRUST{255, 120, 90};
 const char *const SURFACE_NAMES[] = {"port wing", "starboard wing", "tailplane", "rudder"};
 
-Profile makeProfile() {
-    Profile profile;
+real horizontalLength(const Vector3 &v) { return cyclone::real_sqrt(v.x * v.x + v.z * v.z); }
+
+Scene makeScene() {
+    Scene scene;
+    scene.bodies = {{makeAircraftParts(), true, false}, {makeWindsockParts(), false, false}};
+    scene.paint = paintRunway();
+    scene.newtonsPerMetre = NEWTONS_PER_METRE;
+    scene.cameras.spectator = Vector3(20, 1.7, -16);
+    scene.cameras.distance = 4;
+    scene.cameras.height = 0.1;
+    scene.cameras.windHeight = 1.3;
+    return scene;
+}
+
+}  // namespace
+
+Flight::Flight() : aircraft(world, wind.getAddress()) {
+    fillProfile();
+    scene = makeScene();
+    begin(1);
+}
+
+void Flight::fillProfile() {
     profile.program = "flightsim";
     profile.summary = "Flies a model aircraft: with the keyboard in a terminal, otherwise by itself.";
     profile.settings = {{"wind", "SPEED", "Mean wind, m/s", 1.5, 0, 5},
@@ -35,62 +56,43 @@ Profile makeProfile() {
                     "Take off: + until 100 %, and S once at 8 m/s.",
                     "In the air 40 % of throttle keep it level.",
                     "Numbers are metres, metres per second, degrees."};
-    profile.quantities = {{"x", "m", "", 1},
-                          {"height", "m", "height", 1},
-                          {"z", "m", "", 1},
-                          {"airspeed", "m/s", "speed", 1},
-                          {"climb", "m/s", "speed", 1},
-                          {"heading", "°", "", 0},
-                          {"pitch", "°", "attitude", 0},
-                          {"roll", "°", "attitude", 0},
-                          {"both wings", "", "controls", 2},
-                          {"opposite wings", "", "controls", 2},
-                          {"rudder", "", "controls", 2},
-                          {"throttle", "", "controls", 2},
-                          {"ground speed", "m/s", "speed", -1},
-                          {"wind x", "m/s", "", -1},
-                          {"wind y", "m/s", "", -1},
-                          {"wind z", "m/s", "", -1},
-                          {"thrust", "N", "", -1}};
+    profile.quantities = {
+        {"x", "m", [this] { return aircraft.getBody().getPosition().x; }, "", 1},
+        {"height", "m", [this] { return getHeight(); }, "height", 1},
+        {"z", "m", [this] { return aircraft.getBody().getPosition().z; }, "", 1},
+        {"airspeed", "m/s", [this] { return aircraft.getAirspeed(); }, "speed", 1},
+        {"climb", "m/s", [this] { return aircraft.getBody().getVelocity().y; }, "speed", 1},
+        {"heading", "°", [this] { return compassDegrees(aircraft.getHeading()); }, "", 0},
+        {"pitch", "°", [this] { return aircraft.getPitch() / DEGREE; }, "attitude", 0},
+        {"roll", "°", [this] { return aircraft.getRoll() / DEGREE; }, "attitude", 0},
+        {"both wings", "", [this] { return aircraft.getControls().pitch; }, "controls", 2},
+        {"opposite wings", "", [this] { return aircraft.getControls().roll; }, "controls", 2},
+        {"rudder", "", [this] { return aircraft.getControls().rudder; }, "controls", 2},
+        {"throttle", "", [this] { return aircraft.getControls().throttle; }, "controls", 2},
+        {"ground speed", "m/s", [this] { return horizontalLength(aircraft.getBody().getVelocity()); },
+         "speed"},
+        {"wind x", "m/s", [this] { return wind.getWindspeed().x; }},
+        {"wind y", "m/s", [this] { return wind.getWindspeed().y; }},
+        {"wind z", "m/s", [this] { return wind.getWindspeed().z; }},
+        {"thrust", "N", [this] { return aircraft.getPropeller().getForce(aircraft.getBody()).magnitude(); }},
+    };
     profile.title = "Flight of a model aircraft";
     profile.kind = "flight";
-    profile.parts = makeFlightParts();
-    profile.paint = paintRunway();
-    profile.newtonsPerMetre = NEWTONS_PER_METRE;
-    profile.outlook.spectator = Vector3(20, 1.7, -16);
-    profile.outlook.distance = 4;
-    profile.outlook.height = 0.1;
-    profile.outlook.windHeight = 1.3;
     profile.duration = 120;
-    return profile;
 }
 
-}  // namespace
-
-Flight::Flight() : profile(makeProfile()), aircraft(wind.getAddress()) {
-    std::vector<real> settings;
-    for (const Setting &setting : profile.settings) settings.push_back(setting.value);
-    begin(1, settings);
-}
-
-void Flight::begin(std::uint64_t seed, const std::vector<real> &settings) {
+void Flight::prepare(std::uint64_t seed, const std::vector<real> &settings) {
     const real from = settings.at(WIND_DIRECTION) * DEGREE, speed = settings.at(WIND_SPEED);
     wind = Wind(Vector3(speed * cyclone::real_cos(from), 0, speed * cyclone::real_sin(from)),
                 settings.at(GUSTS), GUST_MEMORY, profile.step, seed);
-    steps = 0;
-    landings = crashes = 0;
-    highest = distance = softest = 0;
-    takeEvents();
-    startOver();
+    log = Log();
 }
 
-void Flight::startOver() {
+void Flight::launch() {
     aircraft.park(Vector3());
     pilot = Pilot();
     lastLeg = pilot.getLeg();
-    resetControls();
     airborne = false;
-    wasPut = true;
 }
 
 void Flight::steer() {
@@ -108,7 +110,7 @@ void Flight::steer() {
         tell(Pilot::getName(lastLeg));
 }
 
-void Flight::step() {
+void Flight::beforeStep() {
     wind.advance();
     FlightControls sticks;
     sticks.pitch = getControl(PITCH);
@@ -116,21 +118,19 @@ void Flight::step() {
     sticks.rudder = getControl(RUDDER);
     sticks.throttle = getControl(THROTTLE);
     aircraft.setControls(sticks);
-
-    const RigidBody &body = aircraft.getBody();
-    const Vector3 before = body.getPosition();
-    const real sinkRate = -body.getVelocity().y;
-    aircraft.step(profile.step);
-    ++steps;
-    wasPut = false;
     propellerAngle += (4 + 18 * sticks.throttle) * profile.step;
-
-    distance += (body.getPosition() - before).magnitude();
-    highest = std::max(highest, body.getPosition().y - Aircraft::WHEEL_HEIGHT);
-    watchTheGround(sinkRate);
+    lastPosition = aircraft.getBody().getPosition();
+    lastVelocity = aircraft.getBody().getVelocity();
 }
 
-void Flight::watchTheGround(real sinkRate) {
+void Flight::afterStep() {
+    log.distance += (aircraft.getBody().getPosition() - lastPosition).magnitude();
+    log.highest = std::max(log.highest, getHeight());
+    watchTheGround();
+}
+
+void Flight::watchTheGround() {
+    const real sinkRate = -lastVelocity.y;
     const bool touches = aircraft.isOnGround();
     if (aircraft.getBody().hasFaulted() || aircraft.isBroken()) return crash("crashed");
     if (touches && sinkRate > HARDEST_TOUCH_DOWN)
@@ -140,60 +140,43 @@ void Flight::watchTheGround(real sinkRate) {
         tell("took off");
     } else if (airborne && touches) {
         airborne = false;
-        softest = landings == 0 ? sinkRate : std::min(softest, sinkRate);
-        ++landings;
+        log.softest = log.landings == 0 ? sinkRate : std::min(log.softest, sinkRate);
+        ++log.landings;
         tell("touched down at " + fixed(sinkRate, 1) + " m/s");
     }
 }
 
 void Flight::crash(const std::string &how) {
-    ++crashes;
+    ++log.crashes;
     tell(how);
     startOver();
 }
 
-Frame Flight::getFrame() const {
-    const RigidBody &body = aircraft.getBody();
-    const FlightControls &sticks = aircraft.getControls();
-    const Vector3 position = body.getPosition(), velocity = body.getVelocity(), air = wind.getWindspeed();
-    const Vector3 thrust = aircraft.getPropeller().getForce(body);
+real Flight::getHeight() const { return aircraft.getBody().getPosition().y - Aircraft::WHEEL_HEIGHT; }
 
-    Frame frame;
-    frame.time = getTime();
-    frame.poses = poseFlightParts(aircraft, propellerAngle, air);
+std::vector<Pose> Flight::getPoses() const {
+    std::vector<Pose> poses = poseAircraft(aircraft, propellerAngle);
+    for (const Pose &pose : poseWindsock(wind.getWindspeed())) poses.push_back(pose);
+    return poses;
+}
+
+std::vector<Arrow> Flight::getArrows() const {
+    const RigidBody &body = aircraft.getBody();
+    std::vector<Arrow> arrows;
     std::size_t n = 0;
     for (const cyclone::Aero *surface : aircraft.getSurfaces())
-        frame.arrows.push_back({SURFACE_NAMES[n++], body.getPointInWorldSpace(surface->getPosition()),
-                                surface->getForce(body) * (1 / NEWTONS_PER_METRE), LIFT});
-    frame.arrows.push_back({"thrust", body.getPointInWorldSpace(Aircraft::PROPELLER_POSITION),
-                            thrust * (1 / NEWTONS_PER_METRE), THRUST});
-    frame.windspeed = air;
-    frame.values = {position.x,
-                    position.y - Aircraft::WHEEL_HEIGHT,
-                    position.z,
-                    aircraft.getAirspeed(),
-                    velocity.y,
-                    compassDegrees(aircraft.getHeading()),
-                    aircraft.getPitch() / DEGREE,
-                    aircraft.getRoll() / DEGREE,
-                    sticks.pitch,
-                    sticks.roll,
-                    sticks.rudder,
-                    sticks.throttle,
-                    cyclone::real_sqrt(velocity.x * velocity.x + velocity.z * velocity.z),
-                    air.x,
-                    air.y,
-                    air.z,
-                    thrust.magnitude()};
-    frame.cut = wasPut;
-    return frame;
+        arrows.push_back({SURFACE_NAMES[n++], body.getPointInWorldSpace(surface->getPosition()),
+                          surface->getForce(body) * (1 / NEWTONS_PER_METRE), LIFT});
+    arrows.push_back({"thrust", body.getPointInWorldSpace(Aircraft::PROPELLER_POSITION),
+                      aircraft.getPropeller().getForce(body) * (1 / NEWTONS_PER_METRE), THRUST});
+    return arrows;
 }
 
 std::string Flight::getHeadUpLine() const {
     const RigidBody &body = aircraft.getBody();
     const Vector3 air = wind.getWindspeed();
     const FlightControls &sticks = aircraft.getControls();
-    const real height = std::max(body.getPosition().y - Aircraft::WHEEL_HEIGHT, 0.0);
+    const real height = std::max(getHeight(), 0.0);
     return "ALT " + fixed(height, 1) + "  SPD " + fixed(aircraft.getAirspeed(), 1) + "  CLIMB " +
            signedFixed(body.getVelocity().y, 1) + "  HDG " + compassText(aircraft.getHeading()) + "  THR " +
            fixed(sticks.throttle * 100, 0) + "%  PIT " + signedFixed(sticks.pitch, 1) + " ROL " +
@@ -202,10 +185,10 @@ std::string Flight::getHeadUpLine() const {
 }
 
 std::string Flight::getSummary() const {
-    return "Flown: " + fixed(distance, 0) + " m in " + fixed(getTime(), 1) + " s, up to " +
-           fixed(highest, 1) + " m high\nLandings: " + std::to_string(landings) +
-           (landings > 0 ? ", the softest at " + fixed(softest, 2) + " m/s" : "") +
-           "\nCrashes: " + std::to_string(crashes);
+    return "Flown: " + fixed(log.distance, 0) + " m in " + fixed(getTime(), 1) + " s, up to " +
+           fixed(log.highest, 1) + " m high\nLandings: " + std::to_string(log.landings) +
+           (log.landings > 0 ? ", the softest at " + fixed(log.softest, 2) + " m/s" : "") +
+           "\nCrashes: " + std::to_string(log.crashes);
 }
 
-}  // namespace demo
+}  // namespace flightsim

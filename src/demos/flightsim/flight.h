@@ -5,7 +5,7 @@
 #include "flightsim/pilot.h"
 #include "shell/demo.h"
 
-namespace demo {
+namespace flightsim {
 
 class Flight : public Demonstration {
 public:
@@ -15,40 +15,46 @@ public:
 
     Flight();
 
-    const Profile &getProfile() const override { return profile; }
-    void begin(std::uint64_t seed, const std::vector<real> &settings) override;
-    void startOver() override;
     void steer() override;
-    void step() override;
     bool isOver() const override {
         return pilot.getLeg() == Pilot::Leg::STOPPED || pilot.getLeg() == Pilot::Leg::STAY_DOWN;
     }
-    real getTime() const override { return static_cast<real>(steps) * profile.step; }
-    Frame getFrame() const override;
     std::string getHeadUpLine() const override;
     std::string getSummary() const override;
-    std::uint64_t getHash() const override { return aircraft.getWorld().hash(); }
 
     const Aircraft &getAircraft() const { return aircraft; }
     /// For tests, and for whoever wants to begin in the air.
     Aircraft &getAircraft() { return aircraft; }
 
-private:
-    void watchTheGround(real sinkRate);
-    void crash(const std::string &how);
+protected:
+    void prepare(std::uint64_t seed, const std::vector<real> &settings) override;
+    void launch() override;
+    void beforeStep() override;
+    void afterStep() override;
+    std::vector<Pose> getPoses() const override;
+    std::vector<Arrow> getArrows() const override;
+    Vector3 getWindspeed() const override { return wind.getWindspeed(); }
 
-    Profile profile;
+private:
+    /// For the summary.
+    struct Log {
+        unsigned landings = 0, crashes = 0;
+        real highest = 0, distance = 0, softest = 0;
+    };
+
+    void fillProfile();
+    void watchTheGround();
+    void crash(const std::string &how);
+    real getHeight() const;
+
     Wind wind;
     Aircraft aircraft;
     Pilot pilot;
     Pilot::Leg lastLeg = Pilot::Leg::WATCH;
-    std::uint64_t steps = 0;
+    Vector3 lastPosition, lastVelocity;  ///< before the step
     real propellerAngle = 0;
-    bool wasPut = true, airborne = false;
-
-    // For the summary.
-    unsigned landings = 0, crashes = 0;
-    real highest = 0, distance = 0, softest = 0;
+    bool airborne = false;
+    Log log;
 };
 
-}  // namespace demo
+}  // namespace flightsim

@@ -3,6 +3,6 @@
 #include "shell/loop.h"
 
 int main(int argc, char *argv[]) {
-    demo::Flight flight;
+    flightsim::Flight flight;
     return demo::runDemonstration(flight, argc, argv);
 }

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace demo {
+namespace flightsim {
 
 using cyclone::real_clamp;
 using cyclone::REAL_PI;
@@ -262,4 +262,4 @@ FlightControls Pilot::fly(const Aircraft &aircraft, real duration) {
     return sticks;
 }
 
-}  // namespace demo
+}  // namespace flightsim

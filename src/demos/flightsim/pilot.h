@@ -5,7 +5,7 @@
 
 #include <string>
 
-namespace demo {
+namespace flightsim {
 
 /// The runway lies along +X at z = 0. The pilot knows what a pilot sees: position, velocity, attitude, how
 /// the air comes. In a wind that is too much he stays down.
@@ -54,4 +54,4 @@ private:
     real strongest = 0;     ///< m/s
 };
 
-}  // namespace demo
+}  // namespace flightsim

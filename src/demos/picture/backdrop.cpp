@@ -13,6 +13,7 @@ constexpr Colour GRASS{108, 148, 76}, DARK_GRASS{74, 114, 56}, GROUND_LINE{176, 
     GROUND_HAZE{150, 176, 160};
 constexpr Colour DEEP_WATER{14, 62, 96}, LIT_WATER{40, 128, 150}, SEA_LINE{130, 180, 190},
     SEA_HAZE{120, 165, 188};
+constexpr Colour SPACE{12, 14, 24};
 constexpr real LOWEST_EYE = 0.05;  // m above the surface
 
 Colour skyColour(const Vector3 &direction, const Vector3 &sun) {
@@ -85,9 +86,9 @@ struct Wave {
     real amplitude, kx, kz, phase;
 };
 
-std::vector<Wave> wavesAt(const std::vector<WaveTrain> &trains, real time) {
+std::vector<Wave> wavesAt(const std::vector<cyclone::Waves::Train> &trains, real time) {
     std::vector<Wave> waves;
-    for (const WaveTrain &train : trains) {
+    for (const cyclone::Waves::Train &train : trains) {
         const real k = 2 * cyclone::REAL_PI / train.wavelength;
         waves.push_back({train.amplitude, k * std::cos(train.direction), k * std::sin(train.direction),
                          train.phase - std::sqrt(9.81 * k) * time});
@@ -136,13 +137,19 @@ Colour seaColour(const Footprint &pixel, const Water &water, const Vector3 &ray,
     return mix(colour, SEA_HAZE, 0.75 * (1 - std::exp(-pixel.distance / 400)));
 }
 
+void paintSpace(Raster &raster) {
+    for (int row = 0; row < raster.height() * Raster::SAMPLES; ++row)
+        for (int column = 0; column < raster.width() * Raster::SAMPLES; ++column)
+            raster.setSample(column, row, Kind::SKY, 0, SPACE);
+}
+
 /// Paints pixel after pixel: the sky above the horizon, the surface below it.
 class Painter {
 public:
     Painter(Raster &raster, const View &view, const Surroundings &surroundings, real time, const Vector3 &sun)
         : raster_(raster),
           view_(view),
-          sea_(surroundings.sea),
+          sea_(surroundings.terrain == Terrain::SEA),
           waves_(sea_ ? wavesAt(surroundings.waves, time) : std::vector<Wave>()),
           sun_(sun),
           eye_(view.eye()),
@@ -212,6 +219,7 @@ private:
 
 void paintBackdrop(Raster &raster, const View &view, const Surroundings &surroundings, real time,
                    const Vector3 &sun) {
+    if (surroundings.terrain == Terrain::SPACE) return paintSpace(raster);
     Painter painter(raster, view, surroundings, time, sun);
     for (int y = 0; y < raster.height(); ++y)
         for (int x = 0; x < raster.width(); ++x) painter.paint(x, y);

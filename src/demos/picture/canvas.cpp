@@ -56,15 +56,16 @@ Colour lit(Colour colour, const Vector3 &unitNormal, bool isThin) {
 }
 
 /// 1/z of the plane through a polygon that is given in view coordinates.
-std::optional<Nearness> nearnessOf(const std::vector<Vector3> &corners, const Vector3 &normal,
-                                   const View &view) {
+std::optional<InverseDepth> inverseDepthOf(const std::vector<Vector3> &corners, const Vector3 &normal,
+                                           const View &view) {
     const real offset = normal * corners[0];
     if (std::abs(offset) < 1e-12 * normal.magnitude()) return std::nullopt;  // seen edge-on
-    Nearness nearness;
-    nearness.perX = normal.x / (offset * view.scale());
-    nearness.perY = -normal.y / (offset * view.scale());
-    nearness.atOrigin = normal.z / offset - nearness.perX * view.centreX() - nearness.perY * view.centreY();
-    return nearness;
+    InverseDepth inverseDepth;
+    inverseDepth.perX = normal.x / (offset * view.scale());
+    inverseDepth.perY = -normal.y / (offset * view.scale());
+    inverseDepth.atOrigin =
+        normal.z / offset - inverseDepth.perX * view.centreX() - inverseDepth.perY * view.centreY();
+    return inverseDepth;
 }
 
 }  // namespace
@@ -94,14 +95,14 @@ std::vector<Vector3> Canvas::toView(std::vector<Vector3> corners) const {
     return corners;
 }
 
-std::vector<Spot> Canvas::toPicture(const std::vector<Vector3> &inView) const {
-    std::vector<Spot> spots;
+std::vector<ScreenPoint> Canvas::toPicture(const std::vector<Vector3> &inView) const {
+    std::vector<ScreenPoint> points;
     for (const Vector3 &corner : cut(inView, beyondNearPlane))
-        spots.push_back({view_.pixelX(corner), view_.pixelY(corner)});
-    return spots;
+        points.push_back({view_.pixelX(corner), view_.pixelY(corner)});
+    return points;
 }
 
-void Canvas::draw(const Part &part, const Pose &pose) {
+void Canvas::draw(const Part &part, const Pose &pose, real opacity) {
     for (const Face &face : part.faces) {
         const std::vector<Vector3> corners = toWorld(face, pose);
         if (corners.size() < 3 || !areFinite(corners)) continue;
@@ -110,14 +111,14 @@ void Canvas::draw(const Part &part, const Pose &pose) {
             if (!part.twoSided) continue;
             normal.invert();
         }
-        fill(corners, lit(face.colour, normal, part.twoSided));
+        fill(corners, lit(face.colour, normal, part.twoSided), opacity);
     }
 }
 
-void Canvas::fill(const std::vector<Vector3> &corners, Colour colour) {
+void Canvas::fill(const std::vector<Vector3> &corners, Colour colour, real opacity) {
     const std::vector<Vector3> inView = toView(corners);
-    if (const auto nearness = nearnessOf(inView, normalOf(inView), view_))
-        raster_.fill(toPicture(inView), *nearness, colour);
+    if (const auto inverseDepth = inverseDepthOf(inView, normalOf(inView), view_))
+        raster_.fill(toPicture(inView), *inverseDepth, colour, opacity);
 }
 
 void Canvas::drawOnGround(const Part &part, const Pose &pose) {
@@ -142,23 +143,23 @@ void Canvas::drawLine(const Vector3 &from, const Vector3 &to, Colour colour, rea
     if (!from.isFinite() || !to.isFinite()) return;
     const std::vector<Vector3> ends = cut({view_.toView(from), view_.toView(to)}, beyondNearPlane);
     if (ends.size() < 2) return;
-    const Spot a{view_.pixelX(ends[0]), view_.pixelY(ends[0])},
+    const ScreenPoint a{view_.pixelX(ends[0]), view_.pixelY(ends[0])},
         b{view_.pixelX(ends[1]), view_.pixelY(ends[1])};
     const real length = std::hypot(b.x - a.x, b.y - a.y);
     if (!(length > 0)) return;
-    const Spot along{(b.x - a.x) / length, (b.y - a.y) / length};
-    const Spot side{-along.y * width / 2, along.x * width / 2};
+    const ScreenPoint along{(b.x - a.x) / length, (b.y - a.y) / length};
+    const ScreenPoint side{-along.y * width / 2, along.x * width / 2};
 
     const real nearA = (1 + LINE_LIFT) / ends[0].z, nearB = (1 + LINE_LIFT) / ends[1].z;
-    Nearness nearness;
-    nearness.perX = along.x * (nearB - nearA) / length;
-    nearness.perY = along.y * (nearB - nearA) / length;
-    nearness.atOrigin = nearA - nearness.perX * a.x - nearness.perY * a.y;
+    InverseDepth inverseDepth;
+    inverseDepth.perX = along.x * (nearB - nearA) / length;
+    inverseDepth.perY = along.y * (nearB - nearA) / length;
+    inverseDepth.atOrigin = nearA - inverseDepth.perX * a.x - inverseDepth.perY * a.y;
     raster_.fill({{a.x - side.x, a.y - side.y},
                   {a.x + side.x, a.y + side.y},
                   {b.x + side.x, b.y + side.y},
                   {b.x - side.x, b.y - side.y}},
-                 nearness, colour);
+                 inverseDepth, colour);
 }
 
 void Canvas::draw(const Arrow &arrow) {

@@ -45,8 +45,8 @@ public:
     void drawShadow(const Part &part, const Pose &pose);
 
     /// A face is brighter the more it faces the sun. One that is seen from behind is drawn only if the part
-    /// is twoSided.
-    void draw(const Part &part, const Pose &pose);
+    /// is twoSided. What one sees through (opacity below 1) hides nothing: draw it last.
+    void draw(const Part &part, const Pose &pose, real opacity = 1);
 
     /// A straight line (world, m) of constant width in pixels, hidden by what is nearer.
     void drawLine(const Vector3 &from, const Vector3 &to, Colour colour, real width = 1);
@@ -76,9 +76,9 @@ private:
     static std::vector<Vector3> toWorld(const Face &face, const Pose &pose);
     std::vector<Vector3> toView(std::vector<Vector3> corners) const;
     /// Cuts a polygon in view coordinates at the near plane, and puts the rest into the picture.
-    std::vector<Spot> toPicture(const std::vector<Vector3> &inView) const;
+    std::vector<ScreenPoint> toPicture(const std::vector<Vector3> &inView) const;
     /// Fills a polygon (world) with exactly this colour.
-    void fill(const std::vector<Vector3> &corners, Colour colour);
+    void fill(const std::vector<Vector3> &corners, Colour colour, real opacity = 1);
 
     View view_;
     Raster raster_;

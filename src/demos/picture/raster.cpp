@@ -22,26 +22,26 @@ int firstSample(real position, int end) {
 
 /// Where the edge from a to b crosses the height y. Neighbours that share the edge get the same bits,
 /// whichever way round they have it, so that there is neither a gap nor an overlap between them.
-real crossing(Spot a, Spot b, real y) {
+real crossing(ScreenPoint a, ScreenPoint b, real y) {
     if (a.y > b.y) std::swap(a, b);
     return a.x + (b.x - a.x) * ((y - a.y) / (b.y - a.y));
 }
 
-bool isFinite(const Spot &spot) { return std::isfinite(spot.x) && std::isfinite(spot.y); }
+bool isFinite(const ScreenPoint &spot) { return std::isfinite(spot.x) && std::isfinite(spot.y); }
 
 }  // namespace
 
 template <typename Visit>
-void Raster::forEachWithin(const std::vector<Spot> &corners, Visit visit) {
+void Raster::forEachWithin(const std::vector<ScreenPoint> &corners, Visit visit) {
     if (corners.size() < 3 || !std::all_of(corners.begin(), corners.end(), isFinite)) return;
-    const auto higher = [](const Spot &a, const Spot &b) { return a.y < b.y; };
+    const auto higher = [](const ScreenPoint &a, const ScreenPoint &b) { return a.y < b.y; };
     const auto [top, bottom] = std::minmax_element(corners.begin(), corners.end(), higher);
     const int endRow = firstSample(bottom->y, height_ * SAMPLES);
     for (int row = firstSample(top->y, height_ * SAMPLES); row < endRow; ++row) {
         const real y = middle(row);
         real left = cyclone::REAL_MAX, right = -cyclone::REAL_MAX;
         for (std::size_t i = 0; i < corners.size(); ++i) {
-            const Spot &a = corners[i], &b = corners[i + 1 == corners.size() ? 0 : i + 1];
+            const ScreenPoint &a = corners[i], &b = corners[i + 1 == corners.size() ? 0 : i + 1];
             if ((a.y <= y) == (b.y <= y)) continue;
             const real x = crossing(a, b, y);
             left = std::min(left, x);
@@ -53,14 +53,20 @@ void Raster::forEachWithin(const std::vector<Spot> &corners, Visit visit) {
     }
 }
 
-void Raster::fill(const std::vector<Spot> &corners, const Nearness &nearness, Colour colour) {
+void Raster::fill(const std::vector<ScreenPoint> &corners, const InverseDepth &inverseDepth, Colour colour,
+                  real opacity) {
     forEachWithin(corners, [&](Sample &sample, real x, real y) {
-        const auto near = static_cast<float>(nearness.at(x, y));
-        if (near > sample.nearness) sample = {near, colour, Kind::SOLID};
+        const auto near = static_cast<float>(inverseDepth.at(x, y));
+        if (!(near > sample.inverseDepth)) return;
+        if (opacity < 1)
+            sample.colour = mix(sample.colour, colour, opacity);
+        else
+            sample = {near, colour, Kind::SOLID};
     });
 }
 
-void Raster::fillOnGround(const std::vector<Spot> &corners, Colour colour, real opacity, bool asShadow) {
+void Raster::fillOnGround(const std::vector<ScreenPoint> &corners, Colour colour, real opacity,
+                          bool asShadow) {
     forEachWithin(corners, [&](Sample &sample, real, real) {
         if (sample.kind != Kind::GROUND) return;
         sample.colour = mix(sample.colour, colour, opacity);

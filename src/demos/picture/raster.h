@@ -12,13 +12,13 @@ namespace demo {
 enum class Kind : unsigned char { SKY, GROUND, SHADED_GROUND, SOLID };
 
 /// A position in the picture, in pixels from the top left corner.
-struct Spot {
+struct ScreenPoint {
     real x = 0, y = 0;
 };
 
 /// 1/z over the picture, with z the distance (m) along the line of sight: linear for every plane. 0 is
 /// infinitely far.
-struct Nearness {
+struct InverseDepth {
     real perX = 0, perY = 0, atOrigin = 0;
     real at(real x, real y) const { return perX * x + perY * y + atOrigin; }
 };
@@ -36,16 +36,18 @@ public:
     int height() const { return height_; }
 
     /// Fills a convex polygon, either way round, wherever it is nearer than what is there. Corners may lie
-    /// anywhere outside the picture; one that is not finite leaves the picture as it is.
-    void fill(const std::vector<Spot> &corners, const Nearness &nearness, Colour colour);
+    /// anywhere outside the picture; one that is not finite leaves the picture as it is. With an opacity
+    /// below 1 the colour is mixed into what is there, which keeps its depth.
+    void fill(const std::vector<ScreenPoint> &corners, const InverseDepth &inverseDepth, Colour colour,
+              real opacity = 1);
 
     /// Mixes a colour into the ground within a convex polygon. As a shadow it counts once for every sample,
     /// however many polygons overlap.
-    void fillOnGround(const std::vector<Spot> &corners, Colour colour, real opacity, bool asShadow);
+    void fillOnGround(const std::vector<ScreenPoint> &corners, Colour colour, real opacity, bool asShadow);
 
     /// One sample, of 2·width × 2·height; its middle is at pixel position ((column + ½)/2, (row + ½)/2).
-    void setSample(int column, int row, Kind kind, real nearness, Colour colour) {
-        samples_[index(column, row)] = {static_cast<float>(nearness), colour, kind};
+    void setSample(int column, int row, Kind kind, real inverseDepth, Colour colour) {
+        samples_[index(column, row)] = {static_cast<float>(inverseDepth), colour, kind};
     }
     static real middle(int sample) { return (sample + 0.5) / SAMPLES; }
 
@@ -54,7 +56,7 @@ public:
 
 private:
     struct Sample {
-        float nearness = 0;
+        float inverseDepth = 0;
         Colour colour;
         Kind kind = Kind::SKY;
     };
@@ -66,7 +68,7 @@ private:
 
     /// Calls visit(sample, x, y) for every sample whose middle lies within the polygon.
     template <typename Visit>
-    void forEachWithin(const std::vector<Spot> &corners, Visit visit);
+    void forEachWithin(const std::vector<ScreenPoint> &corners, Visit visit);
 
     int width_ = 0, height_ = 0;
     std::vector<Sample> samples_;

@@ -1,14 +1,13 @@
 #include "replay/recording.h"
 
+#include "base/text.h"
 #include "replay/viewer_page.h"
 
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <cstring>
-#include <locale>
 #include <ostream>
-#include <sstream>
 #include <utility>
 
 namespace demo {
@@ -25,13 +24,7 @@ constexpr real TIME_TOLERANCE = 1e-7;   // s: below a float's, which is then use
 
 using Column = std::vector<real>;
 
-std::string number(real value) {
-    std::ostringstream text;
-    text.imbue(std::locale::classic());
-    text.precision(9);
-    text << value;
-    return text.str();
-}
+std::string number(real value) { return significant(value, 9); }
 
 /// A JSON string that is safe inside a <script> element.
 std::string quoted(const std::string &text) {
@@ -55,6 +48,8 @@ std::string quoted(Colour colour) {
         result = result + digits[level >> 4] + digits[level & 15];
     return result + '"';
 }
+
+std::string asWord(bool value) { return value ? "true" : "false"; }
 
 /// [one,two,…]: what `write` makes of each item.
 template <class Items, class Write>
@@ -158,21 +153,22 @@ real extent(const std::vector<Vector3> &track) {
     return (most.x - least.x) + (most.y - least.y) + (most.z - least.z);
 }
 
-/// Where the part was: as seen from the body, for what goes with it, where most parts are at rest or only
-/// turn; and in the world for the body and for what stays behind.
-std::string encodeMotion(const std::vector<Frame> &frames, std::size_t part) {
+/// Where the part was: as seen from its body, where most parts are at rest or only turn, unless it moves
+/// less in the world.
+std::string encodeMotion(const std::vector<Frame> &frames, std::size_t part, std::size_t body) {
     std::vector<Vector3> inWorld, fromBody;
     std::vector<Quaternion> orientations;
     for (const Frame &frame : frames) {
         inWorld.push_back(frame.poses[part].position);
-        fromBody.push_back(seenFrom(frame.poses[0], frame.poses[part].position));
+        fromBody.push_back(seenFrom(frame.poses[body], frame.poses[part].position));
     }
-    const bool onBody = part != 0 && extent(fromBody) <= extent(inWorld);
+    const bool onBody = part != body && extent(fromBody) <= extent(inWorld);
     for (const Frame &frame : frames) {
         const Quaternion &orientation = frame.poses[part].orientation;
-        orientations.push_back(onBody ? frame.poses[0].orientation.conjugate() * orientation : orientation);
+        orientations.push_back(onBody ? frame.poses[body].orientation.conjugate() * orientation
+                                      : orientation);
     }
-    return "\"onBody\":" + std::string(onBody ? "true" : "false") +
+    return "\"onBody\":" + asWord(onBody) +
            ",\"position\":" + encode(onBody ? fromBody : inWorld, POSITION_TOLERANCE) +
            ",\"orientation\":" + encode(orientations);
 }
@@ -187,14 +183,27 @@ std::string encodeFace(const Face &face) {
            '}';
 }
 
-std::string encodeParts(const Recording &recording) {
+std::string encodeSolid(const Part &part) {
+    return "\"name\":" + quoted(part.name) + ",\"twoSided\":" + asWord(part.twoSided) +
+           ",\"faces\":" + list(part.faces, encodeFace);
+}
+
+std::string encodeBodies(const Recording &recording) {
     std::size_t index = 0;
-    return list(recording.getSubject().parts, [&](const Part &part) {
-        return "\n{\"name\":" + quoted(part.name) + ",\"twoSided\":" + (part.twoSided ? "true" : "false") +
-               ",\"faces\":" + list(part.faces, encodeFace) + ',' +
-               encodeMotion(recording.getFrames(), index++) + '}';
+    return list(recording.getSubject().scene.bodies, [&](const Body &body) {
+        const std::size_t first = index;
+        return "\n{\"trail\":" + asWord(body.leavesTrail) + ",\"ghost\":" + asWord(body.isGhost) +
+               ",\"parts\":" +
+               list(body.parts,
+                    [&](const Part &part) {
+                        return "\n{" + encodeSolid(part) + ',' +
+                               encodeMotion(recording.getFrames(), index++, first) + '}';
+                    }) +
+               '}';
     });
 }
+
+std::string encodeFixture(const Part &part) { return "\n{" + encodeSolid(part) + '}'; }
 
 std::string encodePaint(const std::vector<Part> &paint) {
     std::vector<Face> faces;
@@ -221,8 +230,7 @@ std::string encodeArrows(const std::vector<Frame> &frames) {
 std::string encodeChannels(const Recording &recording) {
     std::size_t index = 0;
     return list(recording.getSubject().channels, [&](const Channel &channel) {
-        const Column column = gather(recording.getFrames(), [&](const Frame &f) { return f.values[index]; });
-        ++index;
+        const Column &column = recording.getValues(index++);
         const auto [least, most] = std::minmax_element(column.begin(), column.end());
         return "\n{\"name\":" + quoted(channel.name) + ",\"unit\":" + quoted(channel.unit) +
                ",\"panel\":" + quoted(channel.panel) +
@@ -230,7 +238,11 @@ std::string encodeChannels(const Recording &recording) {
     });
 }
 
-std::string encodeWave(const WaveTrain &wave) {
+const char *nameOf(Terrain terrain) {
+    return terrain == Terrain::SEA ? "sea" : terrain == Terrain::SPACE ? "space" : "land";
+}
+
+std::string encodeWave(const cyclone::Waves::Train &wave) {
     return "{\"amplitude\":" + number(wave.amplitude) + ",\"wavelength\":" + number(wave.wavelength) +
            ",\"direction\":" + number(wave.direction) + ",\"phase\":" + number(wave.phase) + '}';
 }
@@ -256,38 +268,47 @@ bool isFinite(const Pose &pose) {
     return pose.position.isFinite() && pose.orientation.isFinite() && pose.orientation.squareMagnitude() > 0;
 }
 
+void requireFinite(const std::vector<Part> &parts, const char *function) {
+    for (const Part &part : parts)
+        for (const Face &face : part.faces)
+            for (const Vector3 &corner : face.corners)
+                require(corner.isFinite(), function, "a corner must be finite",
+                        {corner.x, corner.y, corner.z});
+}
+
 bool isFinite(const Arrow &arrow) { return arrow.tail.isFinite() && arrow.vector.isFinite(); }
 
 }  // namespace
 
-Recording::Recording(Subject what) : subject(std::move(what)) {
+Recording::Recording(Subject what) : subject(std::move(what)), columns(subject.channels.size()) {
     const char *function = "Recording::Recording";
-    require(!subject.parts.empty(), function, "there must be a part at least, the body");
-    for (const auto *parts : {&subject.parts, &subject.paint})
-        for (const Part &part : *parts)
-            for (const Face &face : part.faces)
-                for (const Vector3 &corner : face.corners)
-                    require(corner.isFinite(), function, "a corner must be finite",
-                            {corner.x, corner.y, corner.z});
-    for (const WaveTrain &wave : subject.surroundings.waves) {
+    const Scene &scene = subject.scene;
+    require(!scene.bodies.empty(), function, "there must be a body at least");
+    requireFinite(scene.fixtures, function);
+    requireFinite(scene.paint, function);
+    for (const Body &body : scene.bodies) {
+        require(!body.parts.empty(), function, "a body must have a part at least");
+        requireFinite(body.parts, function);
+    }
+    for (const cyclone::Waves::Train &wave : scene.surroundings.waves) {
         require(std::isfinite(wave.amplitude + wave.direction + wave.phase), function,
                 "a wave must be finite");
         require(std::isfinite(wave.wavelength) && wave.wavelength > 0, function,
                 "a wavelength must be positive and finite", {wave.wavelength});
     }
-    require(std::isfinite(subject.newtonsPerMetre) && subject.newtonsPerMetre >= 0, function,
-            "newtonsPerMetre must be finite and not negative", {subject.newtonsPerMetre});
+    require(std::isfinite(scene.newtonsPerMetre) && scene.newtonsPerMetre >= 0, function,
+            "newtonsPerMetre must be finite and not negative", {scene.newtonsPerMetre});
 }
 
-void Recording::append(Frame frame) {
+void Recording::append(Frame frame, const std::vector<real> &values) {
     const char *function = "Recording::append";
     const auto count = [](std::size_t size) { return static_cast<real>(size); };
     require(std::isfinite(frame.time), function, "the time must be finite", {frame.time});
     require(frames.empty() || frame.time > frames.back().time, function, "time must advance", {frame.time});
-    require(frame.poses.size() == subject.parts.size(), function, "there must be one pose for each part",
+    require(frame.poses.size() == countParts(subject.scene), function, "there must be one pose for each part",
             {count(frame.poses.size())});
-    require(frame.values.size() == subject.channels.size(), function,
-            "there must be one value for each channel", {count(frame.values.size())});
+    require(values.size() == columns.size(), function, "there must be one value for each channel",
+            {count(values.size())});
     require(frames.empty() || frame.arrows.size() == frames.front().arrows.size(), function,
             "there must be as many arrows as in the first frame", {count(frame.arrows.size())});
     for (std::size_t n = 0; n < frame.arrows.size(); ++n) {
@@ -300,8 +321,9 @@ void Recording::append(Frame frame) {
         pose.orientation.normalise();
     }
     require(frame.windspeed.isFinite(), function, "the wind must be finite");
-    for (const real value : frame.values)
+    for (const real value : values)
         require(std::isfinite(value), function, "a value must be finite", {value});
+    for (std::size_t n = 0; n < values.size(); ++n) columns[n].push_back(values[n]);
     frames.push_back(std::move(frame));
 }
 
@@ -314,18 +336,21 @@ void writePage(std::ostream &out, const Recording &recording) {
     const Subject &subject = recording.getSubject();
     const std::vector<Frame> &frames = recording.getFrames();
     require(!frames.empty(), "writePage", "there must be a frame at least");
+    const Scene &scene = subject.scene;
+    const bool isFlat = scene.cameras.viewpoints.front() == Viewpoint::PLANE;
     const std::string data =
         "{\"title\":" + quoted(subject.title) + ",\"kind\":" + quoted(subject.kind) +
-        ",\n\"summary\":" + quoted(recording.getSummary()) +
-        ",\n\"sea\":" + (subject.surroundings.sea ? "true" : "false") +
-        ",\"waves\":" + list(subject.surroundings.waves, encodeWave) +
-        ",\n\"newtonsPerMetre\":" + number(subject.newtonsPerMetre) +
+        ",\n\"summary\":" + quoted(recording.getSummary()) + ",\n\"terrain\":\"" +
+        nameOf(scene.surroundings.terrain) + "\",\"flat\":" + asWord(isFlat) +
+        ",\"waves\":" + list(scene.surroundings.waves, encodeWave) +
+        ",\n\"newtonsPerMetre\":" + number(scene.newtonsPerMetre) +
         ",\n\"events\":" + list(recording.getEvents(), encodeEvent) +
         ",\n\"frames\":" + std::to_string(frames.size()) + ",\"cuts\":" + encodeCuts(frames) +
         ",\n\"time\":" +
         encode(gather(frames, [](const Frame &frame) { return frame.time; }), TIME_TOLERANCE) +
-        ",\n\"windspeed\":" + encodeWind(frames) + ",\n\"parts\":" + encodeParts(recording) +
-        ",\n\"paint\":" + encodePaint(subject.paint) + ",\n\"arrows\":" + encodeArrows(frames) +
+        ",\n\"windspeed\":" + encodeWind(frames) + ",\n\"bodies\":" + encodeBodies(recording) +
+        ",\n\"fixtures\":" + list(scene.fixtures, encodeFixture) +
+        ",\n\"paint\":" + encodePaint(scene.paint) + ",\n\"arrows\":" + encodeArrows(frames) +
         ",\n\"channels\":" + encodeChannels(recording) + "}";
     out << viewerPageHead << data << viewerPageTail;
 }

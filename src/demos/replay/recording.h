@@ -21,28 +21,8 @@ struct Channel {
 struct Subject {
     std::string title;
     std::string kind;  ///< a word or two above the title, such as "flight"
-    Surroundings surroundings;
-    std::vector<Part> parts;  ///< parts[0] is the vehicle's body: the cameras follow it, along its +X
-    std::vector<Part> paint;  ///< flat marks on the ground in world coordinates, the later upon the earlier
+    Scene scene;
     std::vector<Channel> channels;
-    real newtonsPerMetre =
-        0;  ///< the scale of the force arrows, so that the page can say newtons; 0: it doesn't
-};
-
-/// One moment of a run.
-struct Frame {
-    real time = 0;              ///< s, later than the frame before
-    std::vector<Pose> poses;    ///< one for each part, in the order of the parts
-    std::vector<Arrow> arrows;  ///< in every frame the same arrows, in the same order
-    Vector3 windspeed;          ///< m/s, towards where the wind comes from
-    std::vector<real> values;   ///< one for each channel, in the order of the channels
-    bool cut = false;  ///< put here, not moved here: nothing is drawn between the last frame and this one
-};
-
-/// Something worth jumping to: "touched down", "tacked".
-struct Event {
-    real time = 0;  ///< s
-    std::string text;
 };
 
 /// A run: its subject, its frames, its events and, once it is over, a summary in plain lines: "name: value"
@@ -50,21 +30,25 @@ struct Event {
 /// std::invalid_argument and leaves the recording as it was.
 class Recording {
 public:
-    /// The subject needs at least one part.
+    /// The subject needs at least one body, and each body a part.
     explicit Recording(Subject subject);
 
-    void append(Frame frame);
+    /// One value for each channel, in their order. Times must advance.
+    void append(Frame frame, const std::vector<real> &values);
     void addEvent(real time, std::string text);
     void setSummary(std::string text) { summary = std::move(text); }
 
     const Subject &getSubject() const { return subject; }
     const std::vector<Frame> &getFrames() const { return frames; }
+    /// A channel's values, one for each frame.
+    const std::vector<real> &getValues(std::size_t channel) const { return columns[channel]; }
     const std::vector<Event> &getEvents() const { return events; }
     const std::string &getSummary() const { return summary; }
 
 private:
     Subject subject;
     std::vector<Frame> frames;
+    std::vector<std::vector<real>> columns;  ///< of each channel
     std::vector<Event> events;
     std::string summary;
 };

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-namespace demo {
+namespace sailboat {
 
 namespace {
 
@@ -65,13 +65,11 @@ Buoyancy makeHull(unsigned halfHull) {
                     Catamaran::HALF_HULL_VOLUME, 0);
 }
 
-HullResistance makeResistance(const Buoyancy *hull, unsigned halfHull) {
+cyclone::HullDrag makeDrag(const Buoyancy *hull, unsigned halfHull) {
     Vector3 centre = Catamaran::getHullCentre(halfHull);
     centre.x *= RESISTANCE_INWARDS;
-    return HullResistance(hull, centre, HULL_LINEAR, HULL_QUADRATIC);
+    return cyclone::HullDrag(hull, centre, HULL_LINEAR, HULL_QUADRATIC);
 }
-
-real resist(real u, real linear, real quadratic) { return -(linear + quadratic * cyclone::real_abs(u)) * u; }
 
 }  // namespace
 
@@ -82,38 +80,22 @@ real wrapAngle(real angle) {
 
 real bearing(const Vector3 &v) { return cyclone::real_atan2(v.z, v.x); }
 
-HullResistance::HullResistance(const Buoyancy *h, const Vector3 &point, const Vector3 &k1, const Vector3 &k2)
-    : hull(h), centre(point), linear(k1), quadratic(k2) {}
-
-Vector3 HullResistance::getForce(const RigidBody &body) const {
-    const Vector3 flow = body.getVelocity() + body.getRotation() % body.getDirectionInWorldSpace(centre);
-    const Vector3 u = body.getDirectionInLocalSpace(flow);
-    const Vector3 force(resist(u.x, linear.x, quadratic.x), resist(u.y, linear.y, quadratic.y),
-                        resist(u.z, linear.z, quadratic.z));
-    return body.getDirectionInWorldSpace(force) * hull->getSubmersion(body);
-}
-
-void HullResistance::updateForce(RigidBody *body, real) {
-    body->addForceAtBodyPoint(getForce(*body), centre);
-}
-
-Catamaran::Catamaran(cyclone::World *w, const Vector3 *wind, const cyclone::Water *surface)
+Catamaran::Catamaran(cyclone::World &w, const Vector3 *wind, const cyclone::Water *surface)
     : world(w),
       windspeed(wind),
       water(surface),
       body(makeBody()),
       hulls{makeHull(0), makeHull(1), makeHull(2), makeHull(3)},
-      resistances{makeResistance(&hulls[0], 0), makeResistance(&hulls[1], 1), makeResistance(&hulls[2], 2),
-                  makeResistance(&hulls[3], 3)},
+      drags{makeDrag(&hulls[0], 0), makeDrag(&hulls[1], 1), makeDrag(&hulls[2], 2), makeDrag(&hulls[3], 3)},
       sail(SAIL, SAIL_CENTRE, wind),
       rudder(RUDDER, RUDDER_CENTRE, nullptr) {
-    world->addBody(&body);
-    cyclone::ForceRegistry &forces = world->getForceRegistry();
+    world.addBody(&body);
+    cyclone::ForceRegistry &forces = world.getForceRegistry();
     for (Buoyancy &hull : hulls) {
         hull.setWater(water);
         forces.add(&body, &hull);
     }
-    for (HullResistance &resistance : resistances) forces.add(&body, &resistance);
+    for (cyclone::HullDrag &drag : drags) forces.add(&body, &drag);
     for (AngledAero *surfaceOf : {&sail, &rudder}) {
         surfaceOf->setRotationalFlow(true);
         forces.add(&body, surfaceOf);
@@ -121,7 +103,7 @@ Catamaran::Catamaran(cyclone::World *w, const Vector3 *wind, const cyclone::Wate
     launch(0, 0, 0);
 }
 
-Catamaran::~Catamaran() { world->removeBody(&body); }
+Catamaran::~Catamaran() { world.removeBody(&body); }
 
 void Catamaran::launch(real x, real z, real heading, real speed) {
     const real carried = body.getMass() / (1000 * 4 * HALF_HULL_VOLUME);
@@ -185,4 +167,4 @@ real Catamaran::getApparentWindSpeed() const {
 
 bool Catamaran::isCapsized() const { return body.getDirectionInWorldSpace(Vector3::Y).y < 0; }
 
-}  // namespace demo
+}  // namespace sailboat

@@ -11,7 +11,7 @@
 
 #include <array>
 
-namespace demo {
+namespace sailboat {
 
 using cyclone::Quaternion;
 using cyclone::real;
@@ -21,32 +21,6 @@ using cyclone::Vector3;
 real wrapAngle(real angle);
 /// The compass direction of a vector in the world: 0 is north, π/2 east.
 real bearing(const Vector3 &worldDirection);
-
-/// How the water resists a part of a hull that moves through it: along each body axis
-///
-///     force = −submersion·(linear·u + quadratic·|u|·u),
-///
-/// with u the part's velocity through the water, its turning included. Along the hull the quadratic term is
-/// friction and wave making at speed; sideways a hull is a wall; and what it spends up and down on making
-/// waves is what ends heaving, rolling and pitching. The waves' own motion under way is left out.
-class HullResistance : public cyclone::ForceGenerator {
-public:
-    /// Acts at `centre`, body coordinates, as far as `hull` is under water. `linear` in N·s/m and `quadratic`
-    /// in N·s²/m², one for each body axis, wholly under water. `hull` must live as long as the resistance
-    /// acts.
-    HullResistance(const cyclone::Buoyancy *hull, const Vector3 &centre, const Vector3 &linear,
-                   const Vector3 &quadratic);
-
-    /// The force on the body as it moves now, N, world coordinates.
-    Vector3 getForce(const cyclone::RigidBody &body) const;
-
-    void updateForce(cyclone::RigidBody *body, real duration) override;
-    bool actsOnItsBodyOnly() const override { return true; }
-
-private:
-    const cyclone::Buoyancy *hull;
-    Vector3 centre, linear, quadratic;
-};
 
 /// The boat, in a world. Its designer's numbers:
 ///
@@ -68,7 +42,7 @@ public:
 
     /// Adds the boat and its forces to the world, at rest, afloat at the origin, bow to the north. The wind
     /// (see aero.h) and the water are read at each step. All three must outlive the boat.
-    Catamaran(cyclone::World *world, const Vector3 *windspeed, const cyclone::Water *water);
+    Catamaran(cyclone::World &world, const Vector3 *windspeed, const cyclone::Water *water);
     ~Catamaran();
     Catamaran(const Catamaran &) = delete;
     Catamaran &operator=(const Catamaran &) = delete;
@@ -116,14 +90,14 @@ public:
 private:
     Vector3 getApparentWind() const;
 
-    cyclone::World *world;
+    cyclone::World &world;
     const Vector3 *windspeed;
     const cyclone::Water *water;
     cyclone::RigidBody body;
     std::array<cyclone::Buoyancy, 4> hulls;
-    std::array<HullResistance, 4> resistances;
+    std::array<cyclone::HullDrag, 4> drags;
     cyclone::AngledAero sail, rudder;
     real rudderAngle = 0, sailAngle = 0;
 };
 
-}  // namespace demo
+}  // namespace sailboat

@@ -2,7 +2,7 @@
 
 #include "picture/solids.h"
 
-namespace demo {
+namespace sailboat {
 
 namespace {
 
@@ -112,4 +112,4 @@ Part makeMark(const std::string &name, Colour colour) {
     return part;
 }
 
-}  // namespace demo
+}  // namespace sailboat

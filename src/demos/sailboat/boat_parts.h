@@ -6,7 +6,9 @@
 
 #include <vector>
 
-namespace demo {
+namespace sailboat {
+
+using namespace demo;
 
 /// Hulls with beams, trampoline, crew and mast; sail; rudder. In this order.
 std::vector<Part> makeBoatParts();
@@ -17,4 +19,4 @@ std::vector<Pose> getBoatPoses(const Catamaran &boat);
 /// A buoy to sail round; its origin is at the waterline.
 Part makeMark(const std::string &name, Colour colour);
 
-}  // namespace demo
+}  // namespace sailboat

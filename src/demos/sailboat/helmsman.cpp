@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace demo {
+namespace sailboat {
 
 namespace {
 
@@ -66,4 +66,4 @@ void Helmsman::sail(Catamaran &boat, real duration) const {
     boat.setSail(approach(boat.getSail(), trim(boat), SAIL_RATE * duration));
 }
 
-}  // namespace demo
+}  // namespace sailboat

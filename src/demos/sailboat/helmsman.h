@@ -3,7 +3,7 @@
 /// Who sails the boat when nobody else does.
 #include "sailboat/boat.h"
 
-namespace demo {
+namespace sailboat {
 
 /// Holds a course with the rudder and trims the sail to the apparent wind, no faster than hands can. A new
 /// course is reached by the shorter way round: from close hauled to close hauled through the wind's eye (a
@@ -29,4 +29,4 @@ private:
     bool relativeToWind = false;
 };
 
-}  // namespace demo
+}  // namespace sailboat

@@ -7,18 +7,18 @@
 namespace {
 
 void drawPolarDiagram(std::ostream &out) {
-    std::vector<demo::Polar> polars;
+    std::vector<sailboat::Polar> polars;
     for (const int windspeed : {4, 6, 8}) {
         std::cerr << "sailing in a wind of " << windspeed << " m/s\n";
-        polars.push_back(demo::measurePolar(windspeed, 60));
+        polars.push_back(sailboat::measurePolar(windspeed, 60));
     }
-    demo::drawPolars(out, polars);
+    sailboat::drawPolars(out, polars);
 }
 
 }  // namespace
 
 int main(int argc, char *argv[]) {
-    demo::Sailing sailing;
+    sailboat::Sailing sailing;
     return demo::runDemonstration(
         sailing, argc, argv,
         {{"polar", "Instead of a run, draw how fast she sails at every angle to the wind, SVG",

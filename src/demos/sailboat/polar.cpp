@@ -5,7 +5,7 @@
 
 #include "sailboat/helmsman.h"
 
-namespace demo {
+namespace sailboat {
 
 namespace {
 
@@ -16,7 +16,7 @@ constexpr real STEP = 1.0 / 60, SETTLE = 40, HELD = 0.1;  // s, s, rad
 /// A boat alone on calm water in a steady wind from the north, under way with the wind to starboard.
 class Trial {
 public:
-    Trial(real wind, real windAngle) : windspeed(wind, 0, 0), boat(&world, &windspeed, &water) {
+    Trial(real wind, real windAngle) : windspeed(wind, 0, 0), boat(world, &windspeed, &water) {
         boat.launch(0, 0, -windAngle, wind / 2);
         helmsman.steerWindAngle(windAngle);
     }
@@ -85,4 +85,4 @@ Polar measurePolar(real windspeed, unsigned intervals) {
     return polar;
 }
 
-}  // namespace demo
+}  // namespace sailboat

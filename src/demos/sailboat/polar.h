@@ -5,7 +5,7 @@
 
 #include <vector>
 
-namespace demo {
+namespace sailboat {
 
 /// The boat on a steady course, with the sail where it makes her fastest.
 struct PolarPoint {
@@ -31,4 +31,4 @@ PolarPoint measurePoint(real windspeed, real windAngle);
 /// From head to wind to dead before it in `intervals` equal steps.
 Polar measurePolar(real windspeed, unsigned intervals);
 
-}  // namespace demo
+}  // namespace sailboat

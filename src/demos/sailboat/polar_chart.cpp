@@ -8,7 +8,9 @@
 #include <ostream>
 #include <stdexcept>
 
-namespace demo {
+namespace sailboat {
+
+using namespace demo;
 
 namespace {
 
@@ -180,4 +182,4 @@ private:
 
 void drawPolars(std::ostream &out, const std::vector<Polar> &polars) { Chart(out, polars).draw(); }
 
-}  // namespace demo
+}  // namespace sailboat

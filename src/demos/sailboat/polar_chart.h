@@ -5,10 +5,10 @@
 
 #include <iosfwd>
 
-namespace demo {
+namespace sailboat {
 
 /// Draws one curve for each polar into one SVG picture: speed outwards, the wind from above. With no polar
 /// that has a point with speed in it, throws std::invalid_argument.
 void drawPolars(std::ostream &out, const std::vector<Polar> &polars);
 
-}  // namespace demo
+}  // namespace sailboat

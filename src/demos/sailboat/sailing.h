@@ -6,48 +6,56 @@
 #include "sailboat/skipper.h"
 #include "shell/demo.h"
 
-#include <memory>
+namespace sailboat {
 
-namespace demo {
+using namespace demo;
 
 /// What sailors call a course at this angle (rad, either side) to the true wind.
 const char *pointOfSail(real trueWindAngle);
 
-/// Controls: 0 the rudder, 1 the sail, degrees, to starboard positive. Settings: the wind's mean speed and
-/// its gusts (m/s, from the north), the height of the waves (m).
-///
 /// A boat that has capsized is righted by her crew after a while, where she lies.
 class Sailing : public Demonstration {
 public:
-    Sailing();
-    ~Sailing() override;
+    enum { RUDDER, SAIL };        ///< the controls, degrees, to starboard positive
+    enum { WIND, GUSTS, WAVES };  ///< the settings: m/s, from the north; m/s; m
 
-    const Profile &getProfile() const override { return profile; }
-    void begin(std::uint64_t seed, const std::vector<real> &settings) override;
-    void startOver() override;
+    Sailing();
+
     void steer() override;
-    void step() override;
-    bool isOver() const override;
-    real getTime() const override;
-    Frame getFrame() const override;
+    bool isOver() const override { return skipper.isFinished(); }
     std::string getHeadUpLine() const override;
     std::string getSummary() const override;
-    std::uint64_t getHash() const override;
 
-    const Catamaran &getBoat() const;
+    const Catamaran &getBoat() const { return boat; }
+
+protected:
+    void prepare(std::uint64_t seed, const std::vector<real> &settings) override;
+    void launch() override;
+    void beforeStep() override;
+    void afterStep() override;
+    std::vector<Pose> getPoses() const override;
+    std::vector<Arrow> getArrows() const override;
+    Vector3 getWindspeed() const override { return wind.getWindspeed(); }
 
 private:
-    struct Voyage;
+    /// For the summary.
+    struct Log {
+        real distance = 0, topSpeed = 0, mostHeel = 0;
+        unsigned capsizes = 0;
+    };
 
+    void fillProfile();
     void setWaves(real height);
     void applyControls();
     void keepLog();
     void rightIfCapsized();
-    std::vector<Arrow> getArrows() const;
-    std::vector<real> getValues() const;
 
-    Profile profile;
-    std::unique_ptr<Voyage> voyage;
+    Wind wind;
+    cyclone::Waves sea;
+    Catamaran boat;
+    Skipper skipper;
+    std::uint64_t capsizedSteps = 0;
+    Log log;
 };
 
-}  // namespace demo
+}  // namespace sailboat

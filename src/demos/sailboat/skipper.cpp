@@ -1,6 +1,6 @@
 #include "sailboat/skipper.h"
 
-namespace demo {
+namespace sailboat {
 
 namespace {
 
@@ -98,4 +98,4 @@ void Skipper::beat(const Catamaran &boat, real markOffWind, real offset) {
     helmsman.steerWindAngle(tack * CLOSE_HAULED);
 }
 
-}  // namespace demo
+}  // namespace sailboat

@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-namespace demo {
+namespace sailboat {
 
 /// Takes the boat round a course of marks, each left to port. A mark that lies too close to the wind is
 /// reached by beating: close hauled on one tack, then on the other.
@@ -53,4 +53,4 @@ private:
     std::vector<std::string> reports;
 };
 
-}  // namespace demo
+}  // namespace sailboat

@@ -1,12 +1,16 @@
 #pragma once
 
-/// What flies or sails, as the loop sees it. The loop runs any Demonstration: in a terminal, from a script or
-/// under its own pilot, and makes table, CSV file, page, still and head-up display from what it finds here.
-#include "replay/recording.h"
+/// What flies or sails, as the shell sees it. The shell runs any Demonstration: in a terminal, from a script
+/// or under its own pilot, and makes table, CSV file, page, still and head-up display from what it finds
+/// here.
+#include "picture/scene.h"
 #include "terminal/keys.h"
+
+#include <cyclone/world.h>
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -31,69 +35,65 @@ struct Setting {
 /// A number that is told of every step: in the CSV file, and if asked for in the table and the page's plots.
 struct Quantity {
     std::string name, unit;
-    std::string panel;  ///< the plot it is drawn in, with others of the same unit; empty: none
-    int decimals = -1;  ///< in the table; negative: not in it
-};
-
-/// From where one can look: besides chase (behind) and side, there is a spectator who stays in one place.
-struct Outlook {
-    Vector3 spectator{0, 1.7, 20};  ///< m
-    real distance = 6;              ///< m, of chase and side at zoom 1
-    real height = 0;                ///< m above the vehicle's origin: what the cameras aim at
-    real windHeight = 1;            ///< m above the vehicle's origin: where the wind is shown
-    bool spectatorFollows = false;  ///< the spectator keeps the offset to the vehicle, as from another boat
+    std::function<real()> get;  ///< its value now
+    std::string panel{};        ///< the plot it is drawn in, with others of the same unit; empty: none
+    int decimals = -1;          ///< in the table; negative: not in it
 };
 
 /// What stays the same for a demonstration.
 struct Profile {
     std::string program;            ///< its name on the command line
     std::string summary;            ///< the sentence that --help begins with
+    std::string title, kind;        ///< of the page; kind: a word or two above the title, such as "flight"
     std::vector<Setting> settings;  ///< --seed exists besides
     std::vector<Control> controls;
     Key centre = 'x';               ///< puts the controls to neutral
     std::vector<std::string> help;  ///< lines about its own keys, for the help box
     std::vector<Quantity> quantities;
-    std::string title, kind;  ///< of the page, see Subject
-    Surroundings surroundings;
-    std::vector<Part> parts;   ///< parts[0] is the vehicle's body, +X forward
-    std::vector<Part> paint;   ///< flat marks on the ground, world coordinates: a runway
-    real newtonsPerMetre = 0;  ///< scale of the force arrows
-    Outlook outlook;
     real step = 1.0 / 120;  ///< s, of the simulation
     real duration = 60;     ///< s, the longest run without a terminal when nobody says
 };
 
-/// A world with one vehicle in it. The same seed, settings and controls at the same steps give the same
-/// run, bit by bit.
+/// A world and what happens in it. The same seed, settings and controls at the same steps give the same run,
+/// bit by bit.
+///
+/// A program derives from it, fills in profile and scene, puts its vehicles into the world, and calls begin()
+/// at the end of its constructor.
 class Demonstration {
 public:
     virtual ~Demonstration() = default;
     Demonstration(const Demonstration &) = delete;
     Demonstration &operator=(const Demonstration &) = delete;
 
-    virtual const Profile &getProfile() const = 0;
+    const Profile &getProfile() const { return profile; }
+    /// Its waves, fixtures and paint may change in begin(); nothing does during a run.
+    const Scene &getScene() const { return scene; }
 
     /// Begins a run at time 0; one value for each of the profile's settings. The controls are at neutral.
-    virtual void begin(std::uint64_t seed, const std::vector<real> &settings) = 0;
+    void begin(std::uint64_t seed, const std::vector<real> &settings);
+    /// The same with the settings' defaults.
+    void begin(std::uint64_t seed);
 
     /// Puts the vehicle back to where it began, controls at neutral, while time and weather go on.
-    virtual void startOver() = 0;
+    void startOver();
 
     /// The pilot: sets the controls for the next step. Whoever wants another pilot doesn't call it.
     virtual void steer() = 0;
 
     /// Advances by the profile's step with the controls as they are.
-    virtual void step() = 0;
+    void step();
 
     /// Whether the pilot has done all it set out to do.
     virtual bool isOver() const { return false; }
 
     /// s since begin(): steps taken times the step.
-    virtual real getTime() const = 0;
+    real getTime() const { return static_cast<real>(steps) * profile.step; }
 
-    /// The moment as it is now: a pose for each part (not for paint), a value for each quantity, the same
-    /// arrows every time. `cut` is true in the first frame after the vehicle was put somewhere.
-    virtual Frame getFrame() const = 0;
+    /// The moment as it is now. It is a cut until the first step after the vehicle was put somewhere.
+    Frame getFrame() const;
+
+    /// The quantities' values now.
+    std::vector<real> getValues() const;
 
     /// One line for the head-up display, the most important first; it is cut off where the screen ends.
     virtual std::string getHeadUpLine() const = 0;
@@ -102,7 +102,7 @@ public:
     virtual std::string getSummary() const = 0;
 
     /// Of the whole state: equal states have equal hashes on every machine.
-    virtual std::uint64_t getHash() const = 0;
+    virtual std::uint64_t getHash() const { return world.hash(); }
 
     /// What happened since the last call.
     std::vector<Event> takeEvents() { return std::exchange(events, {}); }
@@ -110,17 +110,41 @@ public:
     /// By index into the profile's controls. Values beyond the range become its nearer end; NaN throws.
     void setControl(std::size_t index, real value);
     real getControl(std::size_t index) const { return controls.at(index); }
-    /// All to neutral.
-    void resetControls();
     /// Those that centre to neutral: what the centring key does.
     void centreControls();
 
 protected:
     Demonstration() = default;
+
+    /// @name A program's part
+    /// @{
+    /// Makes weather, course and log anew; one value for each setting. launch() follows.
+    virtual void prepare(std::uint64_t seed, const std::vector<real> &settings) = 0;
+    /// Puts the vehicle to where it begins. The controls are at neutral.
+    virtual void launch() = 0;
+    /// Before each step: controls, wind and water.
+    virtual void beforeStep() = 0;
+    /// After each step: what has come of it.
+    virtual void afterStep() = 0;
+    /// The parts' poses in the scene's order.
+    virtual std::vector<Pose> getPoses() const = 0;
+    /// In the scene's scale.
+    virtual std::vector<Arrow> getArrows() const { return {}; }
+    virtual Vector3 getWindspeed() const { return Vector3(); }
+    /// @}
+
     void tell(const std::string &text) { events.push_back({getTime(), text}); }
+    /// The vehicle has been put somewhere by hand: nothing is drawn between there and where it was.
+    void markCut() { isCut = true; }
+
+    Profile profile;
+    Scene scene;
+    cyclone::World world;
 
 private:
-    std::vector<real> controls;  // filled by resetControls()
+    std::uint64_t steps = 0;
+    bool isCut = true;
+    std::vector<real> controls;
     std::vector<Event> events;
 };
 

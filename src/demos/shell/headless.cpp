@@ -31,12 +31,12 @@ public:
         out << names << '\n' << units << '\n';
     }
 
-    void print(const Frame &frame) {
-        std::string line = number(frame.time, 8, 1);
+    void print(real time, const std::vector<real> &values) {
+        std::string line = number(time, 8, 1);
         for (std::size_t n = 0; n < profile.quantities.size(); ++n) {
             const Quantity &quantity = profile.quantities[n];
             if (quantity.decimals < 0) continue;
-            line += "  " + number(frame.values[n], width(quantity), quantity.decimals);
+            line += "  " + number(values[n], width(quantity), quantity.decimals);
         }
         out << line << '\n';
     }
@@ -85,9 +85,9 @@ private:
 
 }  // namespace
 
-void takeStill(const Still &still, const Profile &profile, const Frame &frame) {
+void takeStill(const Still &still, const Scene &scene, const Frame &frame) {
     if (!still.out) return;
-    Stage stage(profile);
+    Stage stage(scene);
     stage.viewpoint = still.viewpoint;
     stage.zoom = still.zoom;
     stage.showForces = true;
@@ -106,7 +106,7 @@ void runHeadless(Session &session, Demonstration &demonstration, std::optional<r
     Table table(profile, out);
     Progress progress(progressOut, total);
     table.printHeading();
-    table.print(session.getFrame());
+    table.print(session.getFrame().time, session.getValues());
     bool taken = false;
     for (long n = 1; n <= steps; ++n) {
         if (session.isOver()) {
@@ -115,15 +115,15 @@ void runHeadless(Session &session, Demonstration &demonstration, std::optional<r
         }
         session.step();
         for (const Event &event : session.takeEvents()) table.print(event);
-        if (n % perLine == 0) table.print(session.getFrame());
+        if (n % perLine == 0) table.print(session.getFrame().time, session.getValues());
         if (!out) throw std::runtime_error("cannot write to the standard output");
         if (n == stillAt) {
-            takeStill(still, profile, session.getFrame());
+            takeStill(still, demonstration.getScene(), session.getFrame());
             taken = true;
         }
         progress.show(session.getFrame().time);
     }
-    if (!taken) takeStill(still, profile, session.getFrame());
+    if (!taken) takeStill(still, demonstration.getScene(), session.getFrame());
     out << session.getReport() << '\n';
 }
 

@@ -24,7 +24,7 @@ public:
         : session(s),
           demonstration(d),
           profile(d.getProfile()),
-          stage(profile),
+          stage(d.getScene()),
           clock(profile.step),
           before(s.getFrame()) {
         if (s.getDriver() == Driver::PILOT) say("the pilot has control until you touch one");
@@ -39,6 +39,7 @@ private:
     void changeControl(Key key);
     void say(const std::string &text);
     std::string getStatus() const;
+    std::string getViewpoints() const;
     std::vector<std::string> getHelp() const;
 
     Session &session;
@@ -62,9 +63,7 @@ bool Show::handle(Key key) {
     }
     switch (key) {
         case 'c':
-            stage.viewpoint = stage.viewpoint == Viewpoint::SPECTATOR ? Viewpoint::CHASE
-                              : stage.viewpoint == Viewpoint::CHASE   ? Viewpoint::SIDE
-                                                                      : Viewpoint::SPECTATOR;
+            stage.nextViewpoint();
             break;
         case 'f':
             stage.showForces = !stage.showForces;
@@ -140,12 +139,19 @@ std::string Show::getStatus() const {
     return (paused ? "PAUSED  " : "") + driver + "  " + Stage::getName(stage.viewpoint) + " camera  H help";
 }
 
+std::string Show::getViewpoints() const {
+    std::string names;
+    for (const Viewpoint viewpoint : demonstration.getScene().cameras.viewpoints)
+        names += (names.empty() ? "" : ", ") + Stage::getName(viewpoint);
+    return names;
+}
+
 std::vector<std::string> Show::getHelp() const {
     std::vector<std::string> lines = profile.help;
     const std::vector<std::string> general = {"",
                                               "T        the pilot takes over, or hands over",
                                               "R        restart",
-                                              "C        camera: chase, side, spectator",
+                                              "C        camera: " + getViewpoints(),
                                               ". ,      closer, farther",
                                               "F        forces as arrows",
                                               "P        pause",
@@ -182,13 +188,13 @@ int runInteractive(Session &session, Demonstration &demonstration, const Still &
         last = now;
         show.advance(elapsed);
         if (!taken && session.getFrame().time >= still.time) {
-            takeStill(still, demonstration.getProfile(), session.getFrame());
+            takeStill(still, demonstration.getScene(), session.getFrame());
             taken = true;
         }
         terminal.show(show.draw(terminal.columns(), terminal.rows(), elapsed));
         terminal.wait(FRAME_TIME);
     }
-    if (!taken) takeStill(still, demonstration.getProfile(), session.getFrame());
+    if (!taken) takeStill(still, demonstration.getScene(), session.getFrame());
     return terminal.exitStatus();
 }
 

@@ -12,83 +12,76 @@
 #include <iostream>
 #include <stdexcept>
 
-#ifdef _WIN32
-#include <io.h>
-#else
-#include <unistd.h>
-#endif
-
 namespace demo {
 
 namespace {
 
 constexpr real LONGEST_PAGE = 3600;  // s; some 20 MB
+const std::string STANDARD = "-";    // the standard output, as a file's name
 
 std::string getVersion() {
     return std::to_string(CYCLONE_VERSION_MAJOR) + "." + std::to_string(CYCLONE_VERSION_MINOR) + "." +
            std::to_string(CYCLONE_VERSION_PATCH);
 }
 
-/// 1: stdout, 2: stderr.
-bool isTerminal(int stream) {
-#ifdef _WIN32
-    return _isatty(stream) != 0;
-#else
-    return isatty(stream) != 0;
-#endif
-}
-
 /// What the command line says.
-struct Wishes {
+struct RunOptions {
     unsigned long long seed = 1;
     std::vector<real> settings;
     std::optional<real> seconds;
-    std::string input, record, csv, html, still, camera = "side";
+    std::string input, record, csv, html, still, camera;
     real stillTime = 5, zoom = 1;
     std::vector<std::string> products;
 };
 
-void declare(Options &options, Wishes &wishes, const Profile &profile, const std::vector<Product> &products) {
+void declare(Options &options, RunOptions &given, const Demonstration &demonstration,
+             const std::vector<Product> &products) {
+    const Profile &profile = demonstration.getProfile();
     const std::string longest = std::to_string(std::lround(profile.duration));
     options.addNumber("seconds", "N",
                       "Run this long, without a terminal (once round, at most " + longest + ")",
-                      wishes.seconds, 0, 1e6);
-    options.addInteger("seed", "N", "Seed of all that is random", wishes.seed);
-    for (const Setting &setting : profile.settings) wishes.settings.push_back(setting.value);
+                      given.seconds, 0, 1e6);
+    options.addInteger("seed", "N", "Seed of all that is random", given.seed);
+    for (const Setting &setting : profile.settings) given.settings.push_back(setting.value);
     for (std::size_t n = 0; n < profile.settings.size(); ++n) {
         const Setting &setting = profile.settings[n];
-        options.addNumber(setting.name, setting.placeholder, setting.help, wishes.settings[n], setting.low,
+        options.addNumber(setting.name, setting.placeholder, setting.help, given.settings[n], setting.low,
                           setting.high);
     }
-    options.addText("input", "FILE", "Play a script of control inputs", wishes.input);
-    options.addText("record", "FILE", "Save the control inputs as a script", wishes.record);
-    options.addText("csv", "FILE", "Write every step's numbers", wishes.csv);
-    options.addText("html", "FILE", "Write a page that replays the run in a browser", wishes.html);
-    options.addText("still", "FILE", "Write a picture of the run, PNG", wishes.still);
-    options.addNumber("at", "SECONDS", "When to take the picture", wishes.stillTime, 0, 1e6);
-    options.addChoice("camera", {"side", "chase", "spectator"}, "From where to take it", wishes.camera);
-    options.addNumber("zoom", "FACTOR", "How close to take it", wishes.zoom, 0.1, 10);
-    wishes.products.resize(products.size());
+    options.addText("input", "FILE", "Play a script of control inputs", given.input);
+    options.addText("record", "FILE", "Save the control inputs as a script", given.record);
+    options.addText("csv", "FILE", "Write every step's numbers; - is the standard output", given.csv);
+    options.addText("html", "FILE", "Write a page that replays the run in a browser", given.html);
+    options.addText("still", "FILE", "Write a picture of the run, PNG", given.still);
+    options.addNumber("at", "SECONDS", "When to take the picture", given.stillTime, 0, 1e6);
+    std::vector<std::string> cameras;
+    for (const Viewpoint viewpoint : demonstration.getScene().cameras.viewpoints)
+        cameras.push_back(Stage::getName(viewpoint));
+    const std::string side = Stage::getName(Viewpoint::SIDE);
+    given.camera = std::count(cameras.begin(), cameras.end(), side) > 0 ? side : cameras.front();
+    options.addChoice("camera", cameras, "From where to take it", given.camera);
+    options.addNumber("zoom", "FACTOR", "How close to take it", given.zoom, 0.1, 10);
+    given.products.resize(products.size());
     for (std::size_t n = 0; n < products.size(); ++n)
-        options.addText(products[n].name, "FILE", products[n].help, wishes.products[n]);
+        options.addText(products[n].name, "FILE", products[n].help, given.products[n]);
 }
 
-std::optional<Script> readInput(const Wishes &wishes, const Profile &profile) {
-    if (wishes.input.empty()) return std::nullopt;
-    const std::string text = readFile(wishes.input);
+std::optional<Script> readInput(const RunOptions &given, const Profile &profile) {
+    if (given.input.empty()) return std::nullopt;
+    const std::string text = readFile(given.input);
     try {
         return readScript(text, profile);
     } catch (const std::runtime_error &mistake) {
-        throw std::runtime_error("'" + wishes.input + "', " + mistake.what());
+        throw std::runtime_error("'" + given.input + "', " + mistake.what());
     }
 }
 
 /// What the script says counts where the command line says nothing.
-void adopt(const Script &script, const Profile &profile, const Options &options, Wishes &wishes) {
-    if (script.seed && !options.wasGiven("seed")) wishes.seed = *script.seed;
+void adopt(const Script &script, const Profile &profile, const Options &options, RunOptions &given) {
+    if (script.seed && !options.wasGiven("seed")) given.seed = *script.seed;
     for (std::size_t n = 0; n < profile.settings.size(); ++n)
         if (script.settings[n] && !options.wasGiven(profile.settings[n].name))
-            wishes.settings[n] = *script.settings[n];
+            given.settings[n] = *script.settings[n];
 }
 
 std::optional<OutputFile> open(const std::string &path) {
@@ -100,63 +93,68 @@ void finish(std::optional<OutputFile> &file) {
     if (file) file->finish();
 }
 
-/// Writes what was asked for instead of a run; false if nothing was.
-bool makeProducts(const Wishes &wishes, const std::vector<Product> &products) {
-    bool any = false;
+/// Writes what was asked for instead of a run; false if nothing was. What belongs to a run has no place
+/// beside it.
+bool makeProducts(const RunOptions &given, const Options &options, const std::vector<Product> &products) {
+    std::size_t made = 0;
     for (std::size_t n = 0; n < products.size(); ++n) {
-        if (wishes.products[n].empty()) continue;
-        OutputFile file(wishes.products[n]);
+        if (given.products[n].empty()) continue;
+        for (const std::string &other : options.getGiven())
+            if (other != products[n].name)
+                throw std::runtime_error("--" + other + " does not go with --" + products[n].name);
+        OutputFile file(given.products[n]);
         products[n].write(file.stream());
         file.finish();
-        any = true;
+        ++made;
     }
-    return any;
+    return made > 0;
 }
 
-Still makeStill(const Wishes &wishes, std::optional<OutputFile> &file) {
+Still makeStill(const RunOptions &given, const Scene &scene, std::optional<OutputFile> &file) {
     Still still;
     if (file) still.out = &file->stream();
-    still.time = wishes.stillTime;
-    still.viewpoint = wishes.camera == "chase"       ? Viewpoint::CHASE
-                      : wishes.camera == "spectator" ? Viewpoint::SPECTATOR
-                                                     : Viewpoint::SIDE;
-    still.zoom = wishes.zoom;
+    still.time = given.stillTime;
+    for (const Viewpoint viewpoint : scene.cameras.viewpoints)
+        if (Stage::getName(viewpoint) == given.camera) still.viewpoint = viewpoint;
+    still.zoom = given.zoom;
     return still;
 }
 
-/// Two files under one name would be written over each other.
-void requireDifferent(std::vector<std::string> paths) {
-    std::sort(paths.begin(), paths.end());
-    for (std::size_t n = 1; n < paths.size(); ++n)
-        if (!paths[n].empty() && paths[n] == paths[n - 1])
-            throw std::runtime_error("'" + paths[n] + "' is to be written twice");
+/// One file under two names would be written over, or read away.
+void requireDifferent(const std::vector<std::string> &paths) {
+    for (std::size_t n = 0; n < paths.size(); ++n)
+        for (std::size_t m = 0; m < n; ++m)
+            if (!paths[n].empty() && !paths[m].empty() && isSameFile(paths[n], paths[m]))
+                throw std::runtime_error("'" + paths[m] + "' and '" + paths[n] + "' are one file");
 }
 
-int run(Demonstration &demonstration, const Options &options, Wishes wishes) {
+int run(Demonstration &demonstration, const Options &options, RunOptions given) {
     const Profile &profile = demonstration.getProfile();
-    std::optional<Script> script = readInput(wishes, profile);
-    if (script) adopt(*script, profile, options, wishes);
-    std::optional<real> seconds = wishes.seconds;
-    if (!wishes.html.empty() && seconds > LONGEST_PAGE)
+    std::optional<Script> script = readInput(given, profile);
+    if (script) adopt(*script, profile, options, given);
+    std::optional<real> seconds = given.seconds;
+    if (!given.html.empty() && seconds > LONGEST_PAGE)
         throw std::runtime_error("--html: a page holds " + std::to_string(std::lround(LONGEST_PAGE)) +
                                  " s at most");
-    requireDifferent({wishes.csv, wishes.html, wishes.record, wishes.still});
-    std::optional<OutputFile> csv = open(wishes.csv), html = open(wishes.html), record = open(wishes.record),
-                              picture = open(wishes.still);
+    requireDifferent({given.input, given.csv, given.html, given.record, given.still});
+    const bool pipesCsv = given.csv == STANDARD;
+    std::optional<OutputFile> csv = open(pipesCsv ? "" : given.csv), html = open(given.html),
+                              record = open(given.record), picture = open(given.still);
 
-    if (script && script->end && !wishes.seconds) seconds = static_cast<real>(*script->end) * profile.step;
-    Session session(demonstration, wishes.seed, wishes.settings, std::move(script));
-    if (csv) session.writeCsvTo(csv->stream());
+    if (script && script->end && !given.seconds) seconds = static_cast<real>(*script->end) * profile.step;
+    Session session(demonstration, given.seed, given.settings, std::move(script));
+    if (csv || pipesCsv) session.writeCsvTo(csv ? csv->stream() : std::cout);
     if (html) session.keepFrames();
-    const Still still = makeStill(wishes, picture);
+    const Still still = makeStill(given, demonstration.getScene(), picture);
 
     int status = 0;
-    if (!wishes.seconds && Terminal::isInteractive()) {
+    if (!given.seconds && !pipesCsv && Terminal::isInteractive()) {
         status = runInteractive(session, demonstration, still);
         std::cout << session.getReport() << '\n';
     } else {
-        runHeadless(session, demonstration, seconds, still, std::cout,
-                    isTerminal(2) && !isTerminal(1) ? &std::cerr : nullptr);
+        const bool showsProgress = isTerminal(STANDARD_ERROR) && !isTerminal(STANDARD_OUTPUT) && !pipesCsv;
+        runHeadless(session, demonstration, seconds, still, pipesCsv ? std::cerr : std::cout,
+                    showsProgress ? &std::cerr : nullptr);
     }
     if (html) session.writePageTo(html->stream());
     if (record) record->stream() << writeScript(session.getInputs(), profile);
@@ -170,11 +168,11 @@ int runDemonstration(Demonstration &demonstration, int argc, const char *const a
                      const std::vector<Product> &products) {
     const Profile &profile = demonstration.getProfile();
     Options options(profile.program, profile.summary, getVersion());
-    Wishes wishes;
-    declare(options, wishes, profile, products);
+    RunOptions given;
+    declare(options, given, demonstration, products);
     try {
         std::optional<int> status = options.parse(argc, argv, std::cout, std::cerr);
-        if (!status) status = makeProducts(wishes, products) ? 0 : run(demonstration, options, wishes);
+        if (!status) status = makeProducts(given, options, products) ? 0 : run(demonstration, options, given);
         if (!std::cout.flush()) throw std::runtime_error("cannot write to the standard output");
         return *status;
     } catch (const std::runtime_error &error) {

@@ -1,6 +1,7 @@
 #pragma once
 
 /// The two ways to run a session.
+#include "picture/stage.h"
 #include "shell/session.h"
 
 #include <iosfwd>
@@ -16,7 +17,7 @@ struct Still {
 };
 
 /// Takes the picture of this moment.
-void takeStill(const Still &still, const Profile &profile, const Frame &frame);
+void takeStill(const Still &still, const Scene &scene, const Frame &frame);
 
 /// Runs to the end without a terminal, and prints a table with a line a second, the events and the report.
 /// Without `seconds`: until the session is over, or for the profile's duration. Else that long: a pilot who

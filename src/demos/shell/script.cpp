@@ -1,9 +1,10 @@
 #include "shell/script.h"
 
+#include "base/text.h"
+
 #include <algorithm>
 #include <cerrno>
 #include <cmath>
-#include <cstdio>
 #include <cstdlib>
 #include <sstream>
 #include <stdexcept>
@@ -14,23 +15,6 @@ namespace {
 
 [[noreturn]] void fail(const std::string &why) { throw std::runtime_error(why); }
 
-real readReal(const std::string &word) {
-    char *end = nullptr;
-    const real value = std::strtod(word.c_str(), &end);
-    if (word.empty() || *end != '\0' || !std::isfinite(value)) fail("'" + word + "' is not a number");
-    return value;
-}
-
-/// As short as it can be without a loss.
-std::string written(real value) {
-    char text[40];
-    for (int digits = 1; digits <= 17; ++digits) {
-        std::snprintf(text, sizeof text, "%.*g", digits, value);
-        if (std::strtod(text, nullptr) == value) break;
-    }
-    return text;
-}
-
 template <class Named>
 std::size_t find(const std::vector<Named> &items, const std::string &name) {
     const auto at =
@@ -39,10 +23,11 @@ std::size_t find(const std::vector<Named> &items, const std::string &name) {
 }
 
 real readWithin(const std::string &word, real low, real high) {
-    const real value = readReal(word);
-    if (value < low || value > high)
-        fail("'" + word + "' is not between " + written(low) + " and " + written(high));
-    return value;
+    const std::optional<real> value = readNumber(word);
+    if (!value) fail("'" + word + "' is not a number");
+    if (*value < low || *value > high)
+        fail("'" + word + "' is not between " + shortest(low) + " and " + shortest(high));
+    return *value;
 }
 
 void readSetting(Script &script, const Profile &profile, const std::vector<std::string> &words) {
@@ -109,20 +94,16 @@ Script readScript(const std::string &text, const Profile &profile) {
 }
 
 std::string writeScript(const Script &script, const Profile &profile) {
-    const auto time = [&](std::uint64_t step) {
-        char text[40];
-        std::snprintf(text, sizeof text, "%.5f", static_cast<real>(step) * profile.step);
-        return std::string(text);
-    };
+    const auto time = [&](std::uint64_t step) { return fixed(static_cast<real>(step) * profile.step, 5); };
     std::string text = "# Inputs of " + profile.program + "; play them with --input.\n";
     if (script.seed) text += "seed " + std::to_string(*script.seed) + "\n";
     for (std::size_t n = 0; n < script.settings.size(); ++n)
-        if (script.settings[n]) text += profile.settings[n].name + " " + written(*script.settings[n]) + "\n";
+        if (script.settings[n]) text += profile.settings[n].name + " " + shortest(*script.settings[n]) + "\n";
     for (const Script::Change &change : script.changes)
         text += time(change.step) +
                 (change.control == Script::RESTART
                      ? " restart\n"
-                     : " " + profile.controls.at(change.control).name + " " + written(change.value) + "\n");
+                     : " " + profile.controls.at(change.control).name + " " + shortest(change.value) + "\n");
     if (script.end) text += time(*script.end) + " end\n";
     return text;
 }

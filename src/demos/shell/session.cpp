@@ -1,5 +1,7 @@
 #include "shell/session.h"
 
+#include "base/text.h"
+
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -11,39 +13,31 @@ namespace {
 
 constexpr real FRAMES_PER_SECOND = 30;
 
-std::string written(real value) {
-    char text[40];
-    std::snprintf(text, sizeof text, "%.10g", value == 0 ? 0 : value);  // no sign on a zero
-    return text;
-}
-
-void writeCsvLine(std::ostream &out, const Frame &frame) {
-    out << written(frame.time);
-    for (const real value : frame.values) out << ',' << written(value);
+void writeCsvLine(std::ostream &out, real time, const std::vector<real> &values) {
+    const auto written = [](real value) { return significant(value == 0 ? 0 : value, 10); };  // no sign on 0
+    out << written(time);
+    for (const real value : values) out << ',' << written(value);
     out << '\n';
 }
 
-Subject makeSubject(const Profile &profile) {
+Subject makeSubject(const Demonstration &demonstration) {
+    const Profile &profile = demonstration.getProfile();
     Subject subject;
     subject.title = profile.title;
     subject.kind = profile.kind;
-    subject.surroundings = profile.surroundings;
-    subject.parts = profile.parts;
-    subject.paint = profile.paint;
-    subject.newtonsPerMetre = profile.newtonsPerMetre;
+    subject.scene = demonstration.getScene();
     for (const Quantity &quantity : profile.quantities)
         if (!quantity.panel.empty())
             subject.channels.push_back({quantity.name, quantity.unit, quantity.panel});
     return subject;
 }
 
-/// With the values that the page plots.
-Frame forRecording(Frame frame, const Profile &profile) {
-    std::vector<real> values;
-    for (std::size_t n = 0; n < frame.values.size(); ++n)
-        if (!profile.quantities[n].panel.empty()) values.push_back(frame.values[n]);
-    frame.values = values;
-    return frame;
+/// Those that the page plots.
+std::vector<real> getPlotted(const std::vector<real> &values, const Profile &profile) {
+    std::vector<real> plotted;
+    for (std::size_t n = 0; n < values.size(); ++n)
+        if (!profile.quantities[n].panel.empty()) plotted.push_back(values[n]);
+    return plotted;
 }
 
 }  // namespace
@@ -57,7 +51,12 @@ Session::Session(Demonstration &d, std::uint64_t seed, const std::vector<real> &
     for (const real value : settings) inputs.settings.push_back(value);
     for (const Control &control : profile.controls) noted.push_back(control.neutral);
     interval = static_cast<std::uint64_t>(std::max(std::lround(1 / FRAMES_PER_SECOND / profile.step), 1L));
+    look();
+}
+
+void Session::look() {
     frame = demonstration.getFrame();
+    values = demonstration.getValues();
 }
 
 void Session::writeCsvTo(std::ostream &out) {
@@ -66,12 +65,12 @@ void Session::writeCsvTo(std::ostream &out) {
     for (const Quantity &quantity : demonstration.getProfile().quantities)
         out << ',' << quantity.name << (quantity.unit.empty() ? "" : " [" + quantity.unit + "]");
     out << '\n';
-    writeCsvLine(out, frame);
+    writeCsvLine(out, frame.time, values);
 }
 
 void Session::keepFrames() {
-    recording.emplace(makeSubject(demonstration.getProfile()));
-    recording->append(forRecording(frame, demonstration.getProfile()));
+    recording.emplace(makeSubject(demonstration));
+    recording->append(frame, getPlotted(values, demonstration.getProfile()));
 }
 
 void Session::step() {
@@ -99,7 +98,7 @@ void Session::restart() {
     demonstration.startOver();
     inputs.changes.push_back({steps, Script::RESTART, 0});
     for (std::size_t n = 0; n < noted.size(); ++n) noted[n] = demonstration.getControl(n);
-    frame = demonstration.getFrame();
+    look();
     frame.cut = cutPending = true;
 }
 
@@ -113,20 +112,20 @@ void Session::noteInputs() {
 }
 
 void Session::keep() {
-    frame = demonstration.getFrame();
+    look();
     // Whatever put the vehicle back put its controls back too: a script need not say so.
     cutPending = cutPending || frame.cut;
     if (frame.cut)
         for (std::size_t n = 0; n < noted.size(); ++n) noted[n] = demonstration.getControl(n);
-    if (csv) writeCsvLine(*csv, frame);
+    if (csv) writeCsvLine(*csv, frame.time, values);
     for (const Event &event : demonstration.takeEvents()) {
         news.push_back(event);
         if (recording) recording->addEvent(event.time, event.text);
     }
     if (recording && steps % interval == 0) {
-        Frame kept = forRecording(frame, demonstration.getProfile());
+        Frame kept = frame;
         kept.cut = cutPending;
-        recording->append(kept);
+        recording->append(kept, getPlotted(values, demonstration.getProfile()));
         cutPending = false;
     }
 }

@@ -1,8 +1,8 @@
 #pragma once
 
 /// One run of a demonstration, step by step: who steers it, and what is kept of it.
+#include "replay/recording.h"
 #include "shell/script.h"
-#include "shell/stage.h"
 
 #include <iosfwd>
 
@@ -39,6 +39,8 @@ public:
 
     /// The moment after the last step.
     const Frame &getFrame() const { return frame; }
+    /// The quantities at that moment.
+    const std::vector<real> &getValues() const { return values; }
     /// What happened since the last call.
     std::vector<Event> takeEvents() { return std::exchange(news, {}); }
 
@@ -53,6 +55,7 @@ private:
     void playScript();
     void noteInputs();
     void keep();
+    void look();
 
     Demonstration &demonstration;
     std::optional<Script> script;
@@ -62,6 +65,7 @@ private:
     Script inputs;
     std::vector<real> noted;  ///< the controls' values in `inputs`
     Frame frame;
+    std::vector<real> values;
     std::vector<Event> news;
     std::ostream *csv = nullptr;
     std::optional<Recording> recording;

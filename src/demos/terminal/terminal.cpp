@@ -38,7 +38,9 @@ CellGrid cutTo(const CellGrid &picture, int columns, int rows) {
 
 }  // namespace
 
-bool Terminal::isInteractive() { return device::isTerminal() && environment("TERM") != "dumb"; }
+bool Terminal::isInteractive() {
+    return isTerminal(STANDARD_INPUT) && isTerminal(STANDARD_OUTPUT) && environment("TERM") != "dumb";
+}
 
 Terminal::Terminal() : lastWait_(Clock::now()), depth_(promisedColours()) {
     if (!isInteractive()) throw std::runtime_error("standard input and output are not a terminal");

@@ -9,6 +9,10 @@
 
 namespace demo {
 
+/// Numbered as the systems do.
+enum Stream { STANDARD_INPUT, STANDARD_OUTPUT, STANDARD_ERROR };
+bool isTerminal(Stream stream);
+
 /// Takes the terminal: raw keys, alternate screen, hidden cursor. Gives it back exactly as it was when the
 /// object ends, and also when the program is suspended (Ctrl-Z), crashes, calls std::exit or dies of an
 /// uncaught exception.

@@ -1,12 +1,12 @@
 #pragma once
 
-/// What Terminal needs from the operating system. terminal_posix.cpp and terminal_windows.cpp provide it,
-/// each empty on the other's system.
+/// What Terminal needs from the operating system, besides isTerminal(). terminal_posix.cpp and
+/// terminal_windows.cpp provide it, each empty on the other's system.
+#include "terminal/terminal.h"
+
 #include <string>
 
 namespace demo::device {
-
-bool isTerminal();
 
 /// Raw keys, alternate screen, and handlers for signals; false if the terminal refuses.
 bool take();

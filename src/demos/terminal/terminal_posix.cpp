@@ -144,8 +144,6 @@ void suspend() {
 
 }  // namespace
 
-bool isTerminal() { return isatty(STDIN_FILENO) == 1 && isatty(STDOUT_FILENO) == 1; }
-
 bool take() {
     if (state.owned) throw std::logic_error("the terminal is taken already");
     static const int registered = std::atexit(giveBack);
@@ -228,5 +226,7 @@ void sleep(double seconds) {
 }
 
 }  // namespace demo::device
+
+bool demo::isTerminal(Stream stream) { return isatty(stream) == 1; }
 
 #endif

@@ -81,11 +81,6 @@ bool enterScreen() {
 
 }  // namespace
 
-bool isTerminal() {
-    DWORD mode;
-    return GetConsoleMode(input(), &mode) && GetConsoleMode(output(), &mode);
-}
-
 bool take() {
     if (state.taken) throw std::logic_error("the terminal is taken already");
     static const int registered = std::atexit(giveBack);
@@ -133,5 +128,11 @@ bool write(const std::string &bytes) { return writeDirectly(bytes.data(), bytes.
 void sleep(double seconds) { Sleep(static_cast<DWORD>(seconds * 1000)); }
 
 }  // namespace demo::device
+
+bool demo::isTerminal(Stream stream) {
+    static constexpr DWORD HANDLES[] = {STD_INPUT_HANDLE, STD_OUTPUT_HANDLE, STD_ERROR_HANDLE};
+    DWORD mode;
+    return GetConsoleMode(GetStdHandle(HANDLES[stream]), &mode) != 0;
+}
 
 #endif

@@ -185,7 +185,11 @@ TEST(DemoFiles, AFullDiskShowsWhenTheFileIsFinished) {
     if (!std::filesystem::exists("/dev/full")) GTEST_SKIP() << "needs /dev/full";
     OutputFile file("/dev/full");
     file.stream() << "something";
-    EXPECT_EQ(messageOf([&] { file.finish(); }).rfind("cannot write '/dev/full'", 0), 0u);
+    const std::string message = messageOf([&] { file.finish(); });
+    EXPECT_EQ(message.rfind("cannot write '/dev/full': ", 0), 0u) << message;
+    OutputFile large("/dev/full");  // more than a stream keeps back: it fails before the end
+    large.stream() << std::string(1 << 20, 'x') << std::string(1 << 20, 'y');
+    EXPECT_EQ(messageOf([&] { large.finish(); }), message);
 }
 
 }  // namespace

@@ -42,3 +42,18 @@ TEST(DemoText, IsTheSameInEveryLocale) {
     EXPECT_EQ(fixed(1.5, 1), "1.5");
     std::locale::global(before);
 }
+
+TEST(DemoText, ShortestComesBackToTheLastBitWithoutExponentsForUsualNumbers) {
+    for (const real value : {20.0, 1.0 / 3, 0.1 + 0.2, -123456.0, 5e-324, 1e300, 0.0, 100.25})
+        EXPECT_EQ(readNumber(shortest(value)), value) << shortest(value);
+    EXPECT_EQ(shortest(20), "20");
+    EXPECT_EQ(shortest(-123456), "-123456");
+    EXPECT_EQ(shortest(0.3), "0.3");
+}
+
+TEST(DemoText, ReadsWholeFiniteDecimalNumbersOnly) {
+    EXPECT_EQ(readNumber("-2.5"), -2.5);
+    EXPECT_EQ(readNumber("1e-3"), 0.001);
+    for (const char *text : {"", " 1", "1 ", "1x", "0x10", "inf", "nan", "1e999", "."})
+        EXPECT_FALSE(readNumber(text)) << text;
+}

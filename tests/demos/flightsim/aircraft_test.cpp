@@ -6,6 +6,7 @@
 #include <cmath>
 
 using namespace demo;
+using namespace flightsim;
 using cyclone::Quaternion;
 
 namespace {
@@ -24,9 +25,21 @@ FlightControls cruise() {
     return controls;
 }
 
-void fly(Aircraft &aircraft, real seconds) {
-    for (int n = 0; n < std::lround(seconds / STEP); ++n) aircraft.step(STEP);
-}
+/// The aircraft in a world of its own.
+struct Sky {
+    cyclone::World world;
+    Aircraft aircraft;
+
+    explicit Sky(const Vector3 *windspeed = nullptr) : aircraft(world, windspeed) {}
+
+    void step() {
+        world.startFrame();
+        world.runPhysics(STEP);
+    }
+    void fly(real seconds) {
+        for (int n = 0; n < std::lround(seconds / STEP); ++n) step();
+    }
+};
 
 /// The moment of surfaces and propeller about the centre of mass, world coordinates.
 Vector3 momentOn(const Aircraft &aircraft) {
@@ -117,9 +130,10 @@ bool isStable(const Matrix4x4 &a) {
 }  // namespace
 
 TEST(DemoAircraft, FliesLevelHandsOffForAMinute) {
-    Aircraft aircraft;
+    Sky sky;
+    Aircraft &aircraft = sky.aircraft;
     aircraft.setControls(cruise());
-    fly(aircraft, 60);
+    sky.fly(60);
     const RigidBody &body = aircraft.getBody();
     EXPECT_EQ(body.getLinearDamping(), 1);
     EXPECT_EQ(body.getAngularDamping(), 1);
@@ -130,11 +144,12 @@ TEST(DemoAircraft, FliesLevelHandsOffForAMinute) {
 }
 
 TEST(DemoAircraft, ComesBackToLevelFlightAfterAShove) {
-    Aircraft aircraft;
+    Sky sky;
+    Aircraft &aircraft = sky.aircraft;
     aircraft.setControls(cruise());
     aircraft.getBody().addVelocity(Vector3(1.5, -1, 1));
     aircraft.getBody().addRotation(Vector3(0.6, 0.3, 0.4));
-    fly(aircraft, 60);
+    sky.fly(60);
     EXPECT_NEAR(aircraft.getAirspeed(), U, 1e-4);
     EXPECT_NEAR(aircraft.getBody().getVelocity().y, 0, 1e-4);
     EXPECT_NEAR(aircraft.getRoll(), 0, 1e-4);
@@ -143,7 +158,8 @@ TEST(DemoAircraft, ComesBackToLevelFlightAfterAShove) {
 
 TEST(DemoAircraft, PitchingUpMakesANoseDownMoment) {
     for (const real alpha : {-4 * DEGREE, 4 * DEGREE}) {
-        Aircraft aircraft;
+        Sky sky;
+        Aircraft &aircraft = sky.aircraft;
         aircraft.setControls(cruise());
         aircraft.getBody().setOrientation(Quaternion::fromAxisAngle(Vector3::Z, alpha));
         const real perRadian = U * (0.5 * (2 * xw + xt) + 0.1 * xr);
@@ -157,13 +173,14 @@ TEST(DemoAircraft, SmallMotionsAreThoseOfTheLinearEquations) {
     EXPECT_TRUE(isStable(lateral()));
 
     const real small = 1e-4;
-    Aircraft aircraft;
+    Sky sky;
+    Aircraft &aircraft = sky.aircraft;
     aircraft.setControls(cruise());
     aircraft.getBody().addVelocity(Vector3(small, 0, small));
     aircraft.getBody().addRotation(Vector3(small, small, small));
     State4 pitching = {small, 0, small, 0}, rolling = {small, small, small, 0};
     for (int n = 1; n <= 1200; ++n) {  // ten seconds, two periods of the phugoid
-        aircraft.step(STEP);
+        sky.step();
         pitching = advanced(longitudinal(), pitching);
         rolling = advanced(lateral(), rolling);
         if (n % 120 != 0) continue;
@@ -184,7 +201,8 @@ TEST(DemoAircraft, SmallMotionsAreThoseOfTheLinearEquations) {
 
 TEST(DemoAircraft, BothWingsUpOrDownPitchIt) {
     for (const real stick : {-0.5, 0.5}) {
-        Aircraft aircraft;
+        Sky sky;
+        Aircraft &aircraft = sky.aircraft;
         FlightControls controls = cruise();
         controls.pitch = stick;
         aircraft.setControls(controls);
@@ -192,22 +210,23 @@ TEST(DemoAircraft, BothWingsUpOrDownPitchIt) {
         const real c = stick * Aircraft::PITCH_THROW;
         const real lift = c > 0 ? 0.4 * c * U : 1.2 * c * U;
         EXPECT_NEAR(momentOn(aircraft).z, 2 * xw * lift + 2 * yw * 0.1 * std::fabs(c) * U, 1e-12);
-        fly(aircraft, 0.3);
+        sky.fly(0.3);
         EXPECT_GT(aircraft.getPitch() * stick, 0);
-        fly(aircraft, 0.4);
+        sky.fly(0.4);
         EXPECT_GT(aircraft.getBody().getVelocity().y * stick, 0.05);
     }
 }
 
 TEST(DemoAircraft, WingsInOppositionRollItToTheSideOfTheStick) {
     for (const real stick : {-0.5, 0.5}) {
-        Aircraft aircraft;
+        Sky sky;
+        Aircraft &aircraft = sky.aircraft;
         FlightControls controls = cruise();
         controls.roll = stick;
         aircraft.setControls(controls);
         const real c = stick * Aircraft::ROLL_THROW;
         EXPECT_NEAR(momentOn(aircraft).x, zw * 1.6 * c * U, 1e-12);
-        fly(aircraft, 1);
+        sky.fly(1);
         EXPECT_GT(aircraft.getRoll() * stick, 0);
         EXPECT_GT(std::fabs(aircraft.getRoll()), 20 * DEGREE);
     }
@@ -215,27 +234,29 @@ TEST(DemoAircraft, WingsInOppositionRollItToTheSideOfTheStick) {
 
 TEST(DemoAircraft, TheRudderYawsItToTheSideOfThePedal) {
     for (const real pedal : {-0.5, 0.5}) {
-        Aircraft aircraft;
+        Sky sky;
+        Aircraft &aircraft = sky.aircraft;
         FlightControls controls = cruise();
         controls.rudder = pedal;
         aircraft.setControls(controls);
         // Yaw to starboard is about -Y. The force s·u acts at xr, aft.
         EXPECT_NEAR(momentOn(aircraft).y, 0.4 * Aircraft::RUDDER_THROW * pedal * U * xr, 1e-12);
-        fly(aircraft, 0.5);
+        sky.fly(0.5);
         EXPECT_GT(aircraft.getHeading() * pedal, 0);
     }
 }
 
 TEST(DemoAircraft, ABankTurnsIt) {
     for (const real stick : {-0.1, 0.1}) {
-        Aircraft aircraft;
+        Sky sky;
+        Aircraft &aircraft = sky.aircraft;
         FlightControls controls = cruise();
         controls.roll = stick;
         aircraft.launch(Vector3(0, 500, 0));
         aircraft.setControls(controls);
-        fly(aircraft, 30);
+        sky.fly(30);
         const Vector3 before = aircraft.getBody().getVelocity();
-        fly(aircraft, 0.5);
+        sky.fly(0.5);
         const Vector3 after = aircraft.getBody().getVelocity();
         const real turned =
             std::atan2(before.x * after.z - before.z * after.x, before.x * after.x + before.z * after.z);
@@ -251,12 +272,13 @@ TEST(DemoAircraft, ThrottleClimbsItAtNearlyTheSameSpeed) {
     real climb[3];
     int n = 0;
     for (const real change : {-0.2, 0.0, 0.2}) {
-        Aircraft aircraft;
+        Sky sky;
+        Aircraft &aircraft = sky.aircraft;
         FlightControls controls = cruise();
         controls.throttle += change;
         aircraft.launch(Vector3(0, 500, 0));
         aircraft.setControls(controls);
-        fly(aircraft, 60);
+        sky.fly(60);
         climb[n++] = aircraft.getBody().getVelocity().y;
         // Lift carries the weight at any gentle path, so the speed hardly changes.
         EXPECT_NEAR(aircraft.getAirspeed(), U, 0.08 * U);
@@ -269,18 +291,20 @@ TEST(DemoAircraft, ThrottleClimbsItAtNearlyTheSameSpeed) {
 
 TEST(DemoAircraft, FliesInTheMovingAirAsInStillAir) {
     const Vector3 windspeed(3, 0, -2);
-    Aircraft aircraft(&windspeed);
+    Sky sky(&windspeed);
+    Aircraft &aircraft = sky.aircraft;
     aircraft.setControls(cruise());
-    fly(aircraft, 20);
+    sky.fly(20);
     EXPECT_NEAR(aircraft.getBody().getPosition().x, (U - 3) * 20, 1e-6);
     EXPECT_NEAR(aircraft.getBody().getPosition().z, 2 * 20, 1e-6);
     EXPECT_NEAR(aircraft.getBody().getPosition().y, 20, 1e-6);
 }
 
 TEST(DemoAircraft, RestsOnItsWheels) {
-    Aircraft aircraft;
+    Sky sky;
+    Aircraft &aircraft = sky.aircraft;
     aircraft.park(Vector3(5, 0, 2));
-    fly(aircraft, 10);
+    sky.fly(10);
     real load = 0;
     for (const Wheel &wheel : aircraft.getWheels()) load += wheel.getForce(aircraft.getBody()).y;
     EXPECT_NEAR(load, M * G, 1e-6);
@@ -292,12 +316,13 @@ TEST(DemoAircraft, RestsOnItsWheels) {
 }
 
 TEST(DemoAircraft, TakesOffUnderFullThrottle) {
-    Aircraft aircraft;
+    Sky sky;
+    Aircraft &aircraft = sky.aircraft;
     aircraft.park(Vector3());
     FlightControls controls;
     controls.throttle = 1;
     aircraft.setControls(controls);
-    fly(aircraft, 8);
+    sky.fly(8);
     EXPECT_FALSE(aircraft.isOnGround());
     EXPECT_GT(aircraft.getBody().getPosition().y, 3);
     EXPECT_NEAR(aircraft.getBody().getPosition().z, 0, 1e-6);

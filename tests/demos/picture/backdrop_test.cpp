@@ -11,20 +11,20 @@ using namespace demo_test;
 
 namespace {
 
-Image seaAt(real time, const std::vector<WaveTrain> &waves) {
+Image seaAt(real time, const std::vector<cyclone::Waves::Train> &waves) {
     Canvas canvas;
     canvas.begin(COLUMNS, ROWS, {Vector3(0, 6, 0), Vector3(20, 0, 5)});
-    canvas.draw(Surroundings{true, waves}, time);
+    canvas.draw(Surroundings{Terrain::SEA, waves}, time);
     return canvas.image();
 }
 
 TEST(DemoBackdrop, TheHorizonIsWhereTheCamerasPitchPutsIt) {
-    for (bool sea : {false, true})
+    for (Terrain terrain : {Terrain::LAND, Terrain::SEA})
         for (real pitch : {0.0, 0.2, -0.3}) {
             Canvas canvas;
             const Camera camera{Vector3(0, 2, 0), Vector3(std::cos(pitch), 2 + std::sin(pitch), 0), 1};
             canvas.begin(COLUMNS, ROWS, camera);
-            canvas.draw(Surroundings{sea, {}}, 0);
+            canvas.draw(Surroundings{terrain, {}}, 0);
             const Image image = canvas.image();
             // The strongest step from light to dark.
             int strongest = 0, row = 0;
@@ -100,10 +100,10 @@ TEST(DemoBackdrop, EveryPixelShowsTheMeanOfWhatItCovers) {
 }
 
 TEST(DemoBackdrop, TheGroundHidesWhatIsBelowIt) {
-    for (bool sea : {false, true}) {
+    for (Terrain terrain : {Terrain::LAND, Terrain::SEA}) {
         Canvas canvas;
         canvas.begin(COLUMNS, ROWS, {Vector3(0, 10, 0), Vector3(10, 0, 0)});
-        canvas.draw(Surroundings{sea, {}}, 0);
+        canvas.draw(Surroundings{terrain, {}}, 0);
         canvas.draw(tile(0.5, RED), {Vector3(10, 0.3, -2), Quaternion()});
         canvas.draw(tile(0.5, RED), {Vector3(10, -0.3, 2), Quaternion()});
         EXPECT_TRUE(isReddish(pixelAt(canvas, {10, 0.3, -2})));
@@ -113,7 +113,7 @@ TEST(DemoBackdrop, TheGroundHidesWhatIsBelowIt) {
 
 TEST(DemoBackdrop, WavesTravelAsInDeepWater) {
     // The period of 10 m waves is √(2π·10 m/g) (Lamb, Hydrodynamics, art. 229).
-    const std::vector<WaveTrain> waves{{0.4, 10, 0.5, 0}};
+    const std::vector<cyclone::Waves::Train> waves{{0.4, 10, 0.5, 0}};
     const real period = std::sqrt(2 * cyclone::REAL_PI * 10 / 9.81);
     EXPECT_GT(largestDifference(seaAt(0, waves), seaAt(0, {})), 20);
     EXPECT_GT(largestDifference(seaAt(0, waves), seaAt(period / 2, waves)), 20);
@@ -122,7 +122,7 @@ TEST(DemoBackdrop, WavesTravelAsInDeepWater) {
 
 TEST(DemoBackdrop, WavesStandWhereTheirEquationSays) {
     // At t = 0 with phase π/2, crests of this train lie at x = 0, 20, … and troughs at x = 10, 30, …
-    const Surroundings sea{true, {{1, 20, 0, cyclone::REAL_PI / 2}}};
+    const Surroundings sea{Terrain::SEA, {{1, 20, 0, cyclone::REAL_PI / 2}}};
     const auto showsAt = [&](real x, real height) {
         Canvas canvas;
         canvas.begin(COLUMNS, ROWS, {Vector3(x - 12, 7, -5), Vector3(x, 0, 3)});
@@ -136,12 +136,21 @@ TEST(DemoBackdrop, WavesStandWhereTheirEquationSays) {
     EXPECT_FALSE(showsAt(10, -1.15));
 }
 
+TEST(DemoBackdrop, SpaceIsDarkAllOver) {
+    Canvas canvas;
+    canvas.begin(COLUMNS, ROWS, {Vector3(0, 2, 0), Vector3(10, 0, 0)});
+    canvas.draw(Surroundings{Terrain::SPACE, {}}, 0);
+    const Image image = canvas.image();
+    EXPECT_LT(brightness(pixel(image, 0, 0)), 100);
+    for (const Colour colour : image.pixels) EXPECT_EQ(colour, image.pixels.front());
+}
+
 TEST(DemoBackdrop, AnEyeBelowTheSurfaceSeesAsFromJustAboveIt) {
-    for (bool sea : {false, true}) {
-        const auto seenFrom = [sea](real height) {
+    for (Terrain terrain : {Terrain::LAND, Terrain::SEA}) {
+        const auto seenFrom = [terrain](real height) {
             Canvas canvas;
             canvas.begin(COLUMNS, ROWS, {Vector3(0, height, 0), Vector3(10, height, 0)});
-            canvas.draw(Surroundings{sea, {}}, 0);
+            canvas.draw(Surroundings{terrain, {}}, 0);
             return canvas.image();
         };
         EXPECT_EQ(largestDifference(seenFrom(-3), seenFrom(0.05)), 0);

@@ -298,6 +298,18 @@ TEST(DemoCanvas, ANewFrameForgetsTheOldOne) {
     EXPECT_EQ(canvas.cells().at(0, 0).glyph, U' ');
 }
 
+TEST(DemoCanvas, OneSeesThroughAGhost) {
+    Canvas canvas;
+    canvas.begin(COLUMNS, ROWS, alongX());
+    canvas.draw(square(10, 10, BLUE), Pose());
+    canvas.draw(square(5, 2, RED), Pose(), 0.5);
+    canvas.draw(square(8, 1, RED), Pose());  // behind the ghost, which doesn't hide it
+    const Colour mixed = pixelAt(canvas, {5, 1.5, 1.5}), solid = pixelAt(canvas, {8, 0, 0});
+    EXPECT_GT(mixed.red, 50);
+    EXPECT_GT(mixed.blue, 50);
+    EXPECT_TRUE(isReddish(solid));
+}
+
 // ---- Degenerate input
 
 TEST(DemoCanvas, PicturesOfAnySize) {
@@ -305,7 +317,7 @@ TEST(DemoCanvas, PicturesOfAnySize) {
         for (int rows : {-1, 0, 1, 5}) {
             Canvas canvas;
             canvas.begin(columns, rows, {Vector3(0, 3, 0), Vector3(10, 0, 0)});
-            canvas.draw(Surroundings{true, {{0.2, 5, 0, 0}}}, 1);
+            canvas.draw(Surroundings{Terrain::SEA, {{0.2, 5, 0, 0}}}, 1);
             canvas.draw(square(10, 5, RED), Pose());
             canvas.drawShadow(square(10, 5, RED), Pose());
             canvas.draw(Arrow{"", {5, 0, 0}, {0, 1, 0}, RED});

@@ -142,15 +142,15 @@ Vector3 vectorAt(const Json &columns, std::size_t frame) {
 }
 
 /// The part's pose in the world, as the viewer puts it together.
-Pose poseAt(const Json &data, std::size_t part, std::size_t frame) {
-    const Json &columns = data["parts"].items[part], &turn = columns["orientation"];
+Pose poseAt(const Json &data, std::size_t part, std::size_t frame, std::size_t body = 0) {
+    const Json &columns = data["bodies"].items[body]["parts"].items[part], &turn = columns["orientation"];
     Pose pose{vectorAt(columns["position"], frame),
               Quaternion(at(turn.items[0], frame), at(turn.items[1], frame), at(turn.items[2], frame),
                          at(turn.items[3], frame))};
     pose.orientation.normalise();
     if (columns["onBody"].number == 0) return pose;
-    const Pose body = poseAt(data, 0, frame);
-    return {body.position + body.orientation.rotate(pose.position), body.orientation * pose.orientation};
+    const Pose root = poseAt(data, 0, frame, body);
+    return {root.position + root.orientation.rotate(pose.position), root.orientation * pose.orientation};
 }
 
 std::string pageOf(const Recording &recording) {
@@ -179,11 +179,12 @@ Subject vehicle(std::size_t parts, std::size_t channels) {
     Subject subject;
     subject.title = "Climbing turn";
     subject.kind = "flight";
+    subject.scene.bodies.resize(1);
     for (std::size_t n = 0; n < parts; ++n) {
         Part part;
         part.name = "part " + std::to_string(n);
         part.faces = {{{{0, 0, 0}, {1, 0, 0}, {0, 0.12345, 0}}, {200, 16, 1}}};
-        subject.parts.push_back(part);
+        subject.scene.bodies[0].parts.push_back(part);
     }
     for (std::size_t n = 0; n < channels; ++n)
         subject.channels.push_back({"channel " + std::to_string(n), "m", "panel"});
@@ -196,7 +197,7 @@ Frame momentOf(const Subject &subject, real time, std::size_t arrows) {
     const Quaternion orientation =
         Quaternion::fromAxisAngle({0, 1, 0}, -0.3 * time) * Quaternion::fromAxisAngle({1, 0, 0}, 1.7 * time);
     const Pose body{{80 * std::sin(0.3 * time), 2 + 3 * time, 80 * std::cos(0.3 * time)}, orientation};
-    for (std::size_t n = 0; n < subject.parts.size(); ++n) {
+    for (std::size_t n = 0; n < subject.scene.bodies[0].parts.size(); ++n) {
         const real number = static_cast<real>(n);
         const Vector3 hinge(0.1 * number, 0.2, -0.3 * number);
         const Quaternion turn =
@@ -214,15 +215,23 @@ Frame momentOf(const Subject &subject, real time, std::size_t arrows) {
                                 {1, 2, 3}});
     }
     frame.windspeed = {5 + std::sin(time), 0, std::cos(0.7 * time)};
-    for (std::size_t n = 0; n < subject.channels.size(); ++n)
-        frame.values.push_back(1000 * std::sin(time + static_cast<real>(n)));
     return frame;
+}
+
+std::vector<real> valuesOf(const Subject &subject, real time) {
+    std::vector<real> values;
+    for (std::size_t n = 0; n < subject.channels.size(); ++n)
+        values.push_back(1000 * std::sin(time + static_cast<real>(n)));
+    return values;
 }
 
 Recording turn(std::size_t parts, std::size_t arrows, std::size_t channels, std::size_t frames) {
     Recording recording(vehicle(parts, channels));
-    for (std::size_t n = 0; n < frames; ++n)
-        recording.append(momentOf(recording.getSubject(), static_cast<real>(n) / 30, arrows));
+    const Subject &subject = recording.getSubject();
+    for (std::size_t n = 0; n < frames; ++n) {
+        const real time = static_cast<real>(n) / 30;
+        recording.append(momentOf(subject, time, arrows), valuesOf(subject, time));
+    }
     return recording;
 }
 
@@ -247,23 +256,24 @@ TEST(RecordingPage, CarriesEveryFrameWithinTheStatedError) {
             EXPECT_LT((vectorAt(columns["vector"], n) - frame.arrows[arrow].vector).magnitude(), 0.001);
         }
         for (std::size_t channel = 0; channel < 2; ++channel)
-            EXPECT_NEAR(at(data["channels"].items[channel]["values"], n), frame.values[channel], 2000 / 1e5);
+            EXPECT_NEAR(at(data["channels"].items[channel]["values"], n), recording.getValues(channel)[n],
+                        2000 / 1e5);
     }
 }
 
 TEST(RecordingPage, CarriesWhatTheViewerNeedsBesides) {
     Subject subject = vehicle(2, 1);
-    subject.surroundings.sea = true;
-    subject.surroundings.waves = {{0.25, 12, -0.5, 1.5}};
-    subject.newtonsPerMetre = 40;
-    subject.parts[1].twoSided = true;
-    subject.paint = {{"runway", {{{{0, 0, 1}, {2, 0, 1}, {2, 0, 0}}, {9, 9, 9}}}, false},
-                     {"stripe", {{{{0, 0, 1}, {1, 0, 1}, {1, 0, 0}}, {255, 0, 0}}}, false}};
+    subject.scene.surroundings.terrain = Terrain::SEA;
+    subject.scene.surroundings.waves = {{0.25, 12, -0.5, 1.5}};
+    subject.scene.newtonsPerMetre = 40;
+    subject.scene.bodies[0].parts[1].twoSided = true;
+    subject.scene.paint = {{"runway", {{{{0, 0, 1}, {2, 0, 1}, {2, 0, 0}}, {9, 9, 9}}}, false},
+                           {"stripe", {{{{0, 0, 1}, {1, 0, 1}, {1, 0, 0}}, {255, 0, 0}}}, false}};
     Recording recording(subject);
-    recording.append(momentOf(subject, 0.5, 1));
+    recording.append(momentOf(subject, 0.5, 1), {0.5});
     Frame restart = momentOf(subject, 0.75, 1);
     restart.cut = true;
-    recording.append(restart);
+    recording.append(restart, {0.75});
     recording.addEvent(0.625, "crashed");
     recording.setSummary("two lines\nof summary");
 
@@ -271,7 +281,7 @@ TEST(RecordingPage, CarriesWhatTheViewerNeedsBesides) {
     EXPECT_EQ(data["title"].text, "Climbing turn");
     EXPECT_EQ(data["kind"].text, "flight");
     EXPECT_EQ(data["summary"].text, "two lines\nof summary");
-    EXPECT_EQ(data["sea"].number, 1);
+    EXPECT_EQ(data["terrain"].text, "sea");
     const Json &wave = data["waves"].items.at(0);
     EXPECT_EQ(wave["amplitude"].number, 0.25);
     EXPECT_EQ(wave["wavelength"].number, 12);
@@ -289,7 +299,7 @@ TEST(RecordingPage, CarriesWhatTheViewerNeedsBesides) {
     ASSERT_EQ(data["paint"].items.size(), 2u);
     EXPECT_EQ(data["paint"].items[1]["colour"].text, "#ff0000");
     EXPECT_EQ(data["paint"].items[1]["corners"].items.at(3).number, 1);
-    const Json &part = data["parts"].items.at(1);
+    const Json &part = data["bodies"].items.at(0)["parts"].items.at(1);
     EXPECT_EQ(part["name"].text, "part 1");
     EXPECT_EQ(part["twoSided"].number, 1);
     const Json &face = part["faces"].items.at(0);
@@ -302,7 +312,38 @@ TEST(RecordingPage, KeepsWhatStaysBehindInTheWorldAndTheRestOnTheBody) {
     const Json data = dataOf(pageOf(turn(5, 0, 0, 60)));
     const real onBody[] = {0, 1, 1, 0, 1};
     for (std::size_t part = 0; part < 5; ++part)
-        EXPECT_EQ(data["parts"].items[part]["onBody"].number, onBody[part]);
+        EXPECT_EQ(data["bodies"].items[0]["parts"].items[part]["onBody"].number, onBody[part]);
+}
+
+TEST(RecordingPage, CarriesSeveralBodiesEachWithItsParts) {
+    Subject subject = vehicle(2, 0);
+    subject.scene.bodies.push_back({subject.scene.bodies[0].parts, true, true});
+    subject.scene.fixtures = subject.scene.bodies[0].parts;
+    subject.scene.cameras.viewpoints = {Viewpoint::PLANE};
+    subject.scene.surroundings.terrain = Terrain::SPACE;
+    Recording recording(subject);
+    for (int n = 0; n < 30; ++n) {
+        Frame frame = momentOf(subject, n / 30.0, 0);  // the first body's poses
+        Frame other = momentOf(subject, 7 + n / 30.0, 0);
+        frame.poses.insert(frame.poses.end(), other.poses.begin(), other.poses.end());
+        recording.append(frame, {});
+    }
+    const Json data = dataOf(pageOf(recording));
+    EXPECT_EQ(data["terrain"].text, "space");
+    EXPECT_EQ(data["flat"].number, 1);
+    EXPECT_EQ(data["fixtures"].items.size(), 2u);
+    ASSERT_EQ(data["bodies"].items.size(), 2u);
+    EXPECT_EQ(data["bodies"].items[0]["ghost"].number, 0);
+    EXPECT_EQ(data["bodies"].items[1]["ghost"].number, 1);
+    EXPECT_EQ(data["bodies"].items[1]["trail"].number, 1);
+    for (std::size_t body = 0; body < 2; ++body)
+        for (std::size_t part = 0; part < 2; ++part) {
+            const Pose pose = poseAt(data, part, 29, body),
+                       expected = recording.getFrames()[29].poses[2 * body + part];
+            EXPECT_LT((pose.position - expected.position).magnitude(), 0.001);
+            EXPECT_LT(angleBetween(pose.orientation, expected.orientation), 0.01 * degree);
+        }
+    EXPECT_EQ(data["bodies"].items[1]["parts"].items[1]["onBody"].number, 1);
 }
 
 TEST(RecordingPage, IsSmallForAMinute) {
@@ -315,21 +356,21 @@ TEST(RecordingPage, KeepsTextFromEndingTheScript) {
     Subject subject = vehicle(1, 1);
     const auto page = [&] {
         Recording recording(subject);
-        recording.append(momentOf(subject, 0, 1));
+        recording.append(momentOf(subject, 0, 1), {0});
         recording.addEvent(0, subject.title);
         recording.setSummary(subject.title);
         return pageOf(recording);
     };
     const auto tags = [](const std::string &text) { return std::count(text.begin(), text.end(), '<'); };
     const auto usual = tags(page());
-    subject.title = subject.kind = subject.parts[0].name = subject.channels[0].panel = wicked;
+    subject.title = subject.kind = subject.scene.bodies[0].parts[0].name = subject.channels[0].panel = wicked;
     const std::string text = page();
     EXPECT_EQ(tags(text), usual);
     const Json data = dataOf(text);
     EXPECT_EQ(data["title"].text, wicked);
     EXPECT_EQ(data["summary"].text, wicked);
     EXPECT_EQ(data["events"].items.at(0)["text"].text, wicked);
-    EXPECT_EQ(data["parts"].items.at(0)["name"].text, wicked);
+    EXPECT_EQ(data["bodies"].items.at(0)["parts"].items.at(0)["name"].text, wicked);
     EXPECT_EQ(data["channels"].items.at(0)["panel"].text, wicked);
 }
 
@@ -356,10 +397,10 @@ TEST(RecordingPage, NeedsAFrame) {
 }
 
 /// The text with which an appended frame is refused; empty when it isn't.
-std::string refusalOf(Recording &recording, const Frame &frame) {
+std::string refusalOf(Recording &recording, const Frame &frame, const std::vector<real> &values) {
     const std::size_t before = recording.getFrames().size();
     try {
-        recording.append(frame);
+        recording.append(frame, values);
     } catch (const std::invalid_argument &error) {
         EXPECT_EQ(recording.getFrames().size(), before);
         return error.what();
@@ -370,15 +411,16 @@ std::string refusalOf(Recording &recording, const Frame &frame) {
 TEST(Recording, RefusesAFrameThatDoesNotFit) {
     Recording recording(vehicle(3, 2));
     const Subject &subject = recording.getSubject();
-    recording.append(momentOf(subject, 1, 2));
+    recording.append(momentOf(subject, 1, 2), {1, 1});
     const real nan = std::nan("");
-    const auto refused = [&](auto spoil) {
+    const auto refusedWith = [&](const std::vector<real> &values, auto spoil) {
         Frame frame = momentOf(subject, 2, 2);
         spoil(frame);
-        return refusalOf(recording, frame).rfind("Recording::append: ", 0) == 0;
+        return refusalOf(recording, frame, values).rfind("Recording::append: ", 0) == 0;
     };
+    const auto refused = [&](auto spoil) { return refusedWith({1, 2}, spoil); };
     EXPECT_TRUE(refused([](Frame &f) { f.poses.pop_back(); }));
-    EXPECT_TRUE(refused([](Frame &f) { f.values.push_back(0); }));
+    EXPECT_TRUE(refusedWith({1, 2, 3}, [](Frame &) {}));
     EXPECT_TRUE(refused([](Frame &f) { f.arrows.pop_back(); }));
     EXPECT_TRUE(refused([](Frame &f) { f.arrows[0].name = "another"; }));
     EXPECT_TRUE(refused([](Frame &f) { f.time = 1; }));
@@ -387,20 +429,20 @@ TEST(Recording, RefusesAFrameThatDoesNotFit) {
     EXPECT_TRUE(refused([&](Frame &f) { f.poses[1].orientation = Quaternion(0, 0, 0, 0); }));
     EXPECT_TRUE(refused([&](Frame &f) { f.arrows[1].vector.x = nan; }));
     EXPECT_TRUE(refused([&](Frame &f) { f.windspeed.z = nan; }));
-    EXPECT_TRUE(refused([&](Frame &f) { f.values[0] = nan; }));
+    EXPECT_TRUE(refusedWith({nan, 2}, [](Frame &) {}));
     EXPECT_FALSE(refused([](Frame &) {}));
 }
 
 TEST(Recording, RefusesASubjectThatCannotBeDrawn) {
     EXPECT_THROW(Recording{Subject()}, std::invalid_argument);
     Subject subject = vehicle(1, 0);
-    subject.parts[0].faces[0].corners[1].x = std::nan("");
+    subject.scene.bodies[0].parts[0].faces[0].corners[1].x = std::nan("");
     EXPECT_THROW(Recording{subject}, std::invalid_argument);
     subject = vehicle(1, 0);
-    subject.surroundings.waves = {{1, 0, 0, 0}};
+    subject.scene.surroundings.waves = {{1, 0, 0, 0}};
     EXPECT_THROW(Recording{subject}, std::invalid_argument);
     subject = vehicle(1, 0);
-    subject.newtonsPerMetre = -1;
+    subject.scene.newtonsPerMetre = -1;
     EXPECT_THROW(Recording{subject}, std::invalid_argument);
 }
 

@@ -13,8 +13,8 @@ using cyclone::real;
 using cyclone::REAL_PI;
 using cyclone::Vector3;
 using cyclone::Waves;
-using demo::Catamaran;
-using demo::Helmsman;
+using sailboat::Catamaran;
+using sailboat::Helmsman;
 
 constexpr real STEP = 1.0 / 60, DEGREE = REAL_PI / 180, G = 9.81;
 /// Of all four half hulls together, N/m.
@@ -30,7 +30,7 @@ struct Sea {
     Helmsman helmsman;
     real time = 0;
 
-    explicit Sea(real wind = 0) : windspeed(wind, 0, 0), boat(&world, &windspeed, &water) {}
+    explicit Sea(real wind = 0) : windspeed(wind, 0, 0), boat(world, &windspeed, &water) {}
 
     void step(const Vector3 &force = Vector3()) {
         time += STEP;
@@ -212,32 +212,6 @@ TEST(Boat, CapsizesWhereItsCentreOfMassPassesOverTheHull) {
     for (const real side : {-1, 1}) {
         EXPECT_TRUE(comesUpright(side * (limit - 2 * DEGREE)));
         EXPECT_FALSE(comesUpright(side * (limit + 2 * DEGREE)));
-    }
-}
-
-// ---- Resistance
-
-TEST(HullResistance, FollowsItsLaw) {
-    cyclone::RigidBody body;
-    const cyclone::Buoyancy halfUnder(Vector3(), 1, 1, 0);
-    const demo::HullResistance resistance(&halfUnder, Vector3(2, 0, 0), Vector3(3, 5, 7), Vector3(1, 2, 4));
-    body.setVelocity(2, -1, 3);
-    EXPECT_EQ(resistance.getForce(body), Vector3(-0.5 * (3 + 2) * 2, 0.5 * (5 + 2), -0.5 * (7 + 12) * 3));
-    body.setVelocity(0, 0, 0);
-    body.setRotation(0, 1, 0);  // carries a point on +X towards −Z
-    EXPECT_EQ(resistance.getForce(body), Vector3(0, 0, 0.5 * (7 + 8) * 2));
-    body.setPosition(0, 1, 0);
-    EXPECT_EQ(resistance.getForce(body), Vector3());
-}
-
-TEST(HullResistance, TakesEnergyAndNeverGivesAny) {
-    cyclone::RigidBody body;
-    const cyclone::Buoyancy under(Vector3(), 1, 1, 5);
-    const demo::HullResistance resistance(&under, Vector3(), Vector3(3, 5, 7), Vector3(1, 2, 4));
-    body.setOrientation(0.3, -0.5, 0.7, 0.2);
-    for (const Vector3 &velocity : {Vector3(1, 2, 3), Vector3(-4, 0.1, 2), Vector3(0, -3, -0.5)}) {
-        body.setVelocity(velocity);
-        EXPECT_LT(resistance.getForce(body) * velocity, 0);
     }
 }
 

@@ -11,9 +11,9 @@
 namespace {
 
 using cyclone::real;
-using demo::measurePoint;
-using demo::Polar;
-using demo::PolarPoint;
+using sailboat::measurePoint;
+using sailboat::Polar;
+using sailboat::PolarPoint;
 
 constexpr real DEGREE = cyclone::REAL_PI / 180;
 
@@ -51,7 +51,7 @@ TEST(Polar, RunsAtTheSpeedWhereSailAndHullAgree) {
 }
 
 TEST(Polar, IsMeasuredFromHeadToWindToDeadBeforeIt) {
-    const Polar polar = demo::measurePolar(6, 3);
+    const Polar polar = sailboat::measurePolar(6, 3);
     ASSERT_EQ(polar.points.size(), 4u);
     for (unsigned n = 0; n < 4; ++n) EXPECT_NEAR(polar.points[n].windAngle, n * 60 * DEGREE, 1e-12);
     EXPECT_EQ(&polar.fastest(), &polar.points[2]);
@@ -66,7 +66,7 @@ TEST(Polar, IsDrawnToScale) {
     polar.windspeed = 5;
     polar.points = {makePoint(0, 0), makePoint(90, 4), makePoint(180, 2)};
     std::ostringstream out;
-    demo::drawPolars(out, {polar});
+    sailboat::drawPolars(out, {polar});
     const std::string svg = out.str(), curve = svg.substr(svg.find("class=\"curve\""));
     real x0 = 0, y0 = 0, x1 = 0, y1 = 0, x2 = 0, y2 = 0;
     ASSERT_EQ(std::sscanf(curve.c_str() + curve.find(" d=\"M"), " d=\"M%lf %lfL%lf %lfL%lf %lf", &x0, &y0,
@@ -82,10 +82,10 @@ TEST(Polar, IsDrawnToScale) {
 
 TEST(Polar, NothingToDrawIsSaid) {
     std::ostringstream out;
-    EXPECT_THROW(demo::drawPolars(out, {}), std::invalid_argument);
+    EXPECT_THROW(sailboat::drawPolars(out, {}), std::invalid_argument);
     Polar still;
     still.points = {makePoint(0, 0)};
-    EXPECT_THROW(demo::drawPolars(out, {still}), std::invalid_argument);
+    EXPECT_THROW(sailboat::drawPolars(out, {still}), std::invalid_argument);
     EXPECT_EQ(out.str(), "");
 }
 

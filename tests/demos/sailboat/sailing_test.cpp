@@ -10,7 +10,7 @@ namespace {
 
 using cyclone::real;
 using cyclone::Vector3;
-using demo::Sailing;
+using sailboat::Sailing;
 
 constexpr real DEGREE = cyclone::REAL_PI / 180;
 const std::vector<real> CALM = {6, 0, 0}, FRESH = {6, 0.8, 0.3};
@@ -39,8 +39,7 @@ TEST(Sailing, FitsItsProfile) {
     Sailing sailing;
     const demo::Profile &profile = sailing.getProfile();
     const demo::Frame frame = sailing.getFrame();
-    EXPECT_EQ(frame.poses.size(), profile.parts.size());
-    EXPECT_EQ(frame.values.size(), profile.quantities.size());
+    EXPECT_EQ(frame.poses.size(), demo::countParts(sailing.getScene()));
     EXPECT_TRUE(frame.cut);
     EXPECT_TRUE(sailing.getFrame().cut);  // the same moment, told twice
     sailing.step();
@@ -53,7 +52,10 @@ TEST(Sailing, FitsItsProfile) {
 
 TEST(Sailing, PartsAreConvexAndFlat) {
     const Sailing sailing;
-    for (const demo::Part &part : sailing.getProfile().parts)
+    std::vector<demo::Part> parts;
+    for (const demo::Body &body : sailing.getScene().bodies)
+        parts.insert(parts.end(), body.parts.begin(), body.parts.end());
+    for (const demo::Part &part : parts)
         for (const demo::Face &face : part.faces) {
             const std::size_t count = face.corners.size();
             ASSERT_GE(count, 3u) << part.name;
@@ -76,6 +78,13 @@ TEST(Sailing, TheSameSeedGivesTheSameRunAndAnotherAnother) {
     const std::uint64_t hash = hashAfter(7, 20);
     EXPECT_EQ(hashAfter(7, 20), hash);
     EXPECT_NE(hashAfter(8, 20), hash);
+    // Begun again, a used one is as good as new.
+    Sailing used;
+    used.begin(8, {10, 2, 1});
+    run(used, 20);
+    used.begin(7, FRESH);
+    run(used, 20);
+    EXPECT_EQ(used.getHash(), hash);
 }
 
 TEST(Sailing, ARunCanBePlayedAgainFromItsControls) {
@@ -156,14 +165,14 @@ TEST(Sailing, DrawsTheSeaThatTheBoatFloatsOn) {
     Sailing sailing;
     sailing.begin(2, {6, 0, 1});
     run(sailing, 10);
-    const auto &waves = sailing.getProfile().surroundings.waves;
+    const auto &waves = sailing.getScene().surroundings.waves;
     ASSERT_FALSE(waves.empty());
-    // The marks float on the waves that the profile tells of.
+    // The marks float on the waves that the scene tells of.
     const demo::Frame frame = sailing.getFrame();
     for (std::size_t n = 3; n < frame.poses.size(); ++n) {
         const Vector3 mark = frame.poses[n].position;
         real height = 0;
-        for (const demo::WaveTrain &wave : waves) {
+        for (const cyclone::Waves::Train &wave : waves) {
             const real k = 2 * cyclone::REAL_PI / wave.wavelength;
             const real along = mark.x * std::cos(wave.direction) + mark.z * std::sin(wave.direction);
             height += wave.amplitude * std::sin(k * along - std::sqrt(9.81 * k) * frame.time + wave.phase);
@@ -171,15 +180,15 @@ TEST(Sailing, DrawsTheSeaThatTheBoatFloatsOn) {
         EXPECT_NEAR(mark.y, height, 1e-9);
     }
     sailing.begin(2, CALM);
-    EXPECT_TRUE(sailing.getProfile().surroundings.waves.empty());
+    EXPECT_TRUE(sailing.getScene().surroundings.waves.empty());
 }
 
 TEST(Sailing, TellsThePointOfSail) {
-    EXPECT_STREQ(demo::pointOfSail(5 * DEGREE), "in irons");
-    EXPECT_STREQ(demo::pointOfSail(-45 * DEGREE), "close hauled");
-    EXPECT_STREQ(demo::pointOfSail(90 * DEGREE), "beam reach");
-    EXPECT_STREQ(demo::pointOfSail(-135 * DEGREE), "broad reach");
-    EXPECT_STREQ(demo::pointOfSail(180 * DEGREE), "running");
+    EXPECT_STREQ(sailboat::pointOfSail(5 * DEGREE), "in irons");
+    EXPECT_STREQ(sailboat::pointOfSail(-45 * DEGREE), "close hauled");
+    EXPECT_STREQ(sailboat::pointOfSail(90 * DEGREE), "beam reach");
+    EXPECT_STREQ(sailboat::pointOfSail(-135 * DEGREE), "broad reach");
+    EXPECT_STREQ(sailboat::pointOfSail(180 * DEGREE), "running");
 }
 
 TEST(Sailing, TellsAllInEightyColumns) {

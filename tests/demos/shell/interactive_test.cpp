@@ -12,6 +12,8 @@
 #include "shell/loop.h"
 
 using namespace demo;
+using sailboat::Sailing;
+using namespace flightsim;
 
 namespace {
 

@@ -12,6 +12,7 @@
 #include "flightsim/flight.h"
 
 using namespace demo;
+using namespace flightsim;
 
 namespace {
 
@@ -115,7 +116,31 @@ TEST_F(DemoLoop, MistakesAreOneLineAndStatusTwo) {
         EXPECT_EQ(outcome.err.find('\n'), outcome.err.size() - 1) << outcome.err;
     }
     EXPECT_NE(run({"--input", bad.c_str()}).err.find("line 2"), std::string::npos);
-    EXPECT_NE(run({"--csv", bad.c_str(), "--html", bad.c_str()}).err.find("twice"), std::string::npos);
+}
+
+TEST_F(DemoLoop, OneFileUnderTwoNamesIsRefusedBeforeAnythingIsWritten) {
+    const std::string file = path("one"),
+                      spelled = testing::TempDir() + "./" + file.substr(testing::TempDir().size());
+    const std::string script = "0 throttle 1\n1 end\n";
+    for (const char *option : {"--csv", "--html", "--record"}) {
+        std::ofstream(file) << script;
+        const Outcome outcome = run({"--input", file.c_str(), option, spelled.c_str()});
+        EXPECT_EQ(outcome.status, 2) << option;
+        EXPECT_NE(outcome.err.find("one file"), std::string::npos) << outcome.err;
+        EXPECT_EQ(readFile(file), script) << option;
+    }
+    std::remove(file.c_str());
+    EXPECT_EQ(run({"--seconds", "1", "--csv", file.c_str(), "--html", spelled.c_str()}).status, 2);
+    EXPECT_FALSE(std::ifstream(file));
+}
+
+TEST_F(DemoLoop, TheCsvFileMayBeTheStandardOutput) {
+    const std::string csv = path("a.csv");
+    run({"--seconds", "1", "--csv", csv.c_str()});
+    const Outcome piped = run({"--seconds", "1", "--csv", "-"});
+    EXPECT_EQ(piped.status, 0);
+    EXPECT_EQ(piped.out, readFile(csv));
+    EXPECT_NE(piped.err.find("State hash: "), std::string::npos) << "the rest is told on the other stream";
 }
 
 TEST_F(DemoLoop, LeavesNoFilesBehindWhenOneCannotBeWritten) {
@@ -147,4 +172,8 @@ TEST_F(DemoLoop, MakesAProductInsteadOfARun) {
     EXPECT_EQ(outcome.status, 0);
     EXPECT_EQ(outcome.out, "");
     EXPECT_EQ(readFile(file), "drawn");
+    const Outcome both = run({"--polar", file.c_str(), "--seed", "3"},
+                             {{"polar", "Draw it", [](std::ostream &out) { out << "drawn"; }}});
+    EXPECT_EQ(both.status, 2);
+    EXPECT_NE(both.err.find("--seed does not go with --polar"), std::string::npos) << both.err;
 }

@@ -5,6 +5,7 @@
 #include "flightsim/flight.h"
 
 using namespace demo;
+using namespace flightsim;
 
 namespace {
 

@@ -8,6 +8,7 @@
 #include "flightsim/flight.h"
 
 using namespace demo;
+using namespace flightsim;
 
 namespace {
 

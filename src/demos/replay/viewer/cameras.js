@@ -9,11 +9,15 @@ const homes = {
     ground: { azimuth: Math.PI / 2, elevation: 0, distance: 1 },
 };
 
+/// A flat scene is orbited from its front, through a lens so long that it stays flat.
+const flatHome = { azimuth: Math.PI / 2, elevation: 0, distance: 80 }, flatness = 8;
+
 class Cameras {
     constructor(run) {
         this.run = run;
         this.mode = 'chase';
         this.settings = {};
+        this.homes = run.flat ? { ...homes, orbit: flatHome } : homes;
         for (const mode in homes) this.reset(mode);
         this.headings = this.smoothHeadings();
         this.heights = this.smooth(Float64Array.from({ length: run.count }, (_, n) => run.parts[0].position[1][n]), 1.5);
@@ -24,7 +28,7 @@ class Cameras {
     }
 
     get names() { return Object.keys(homes); }
-    reset(mode = this.mode) { this.settings[mode] = { ...homes[mode] }; }
+    reset(mode = this.mode) { this.settings[mode] = { ...this.homes[mode] }; }
 
     /// Changes the camera; the view glides from the one to the other.
     choose(mode, now) {
@@ -40,7 +44,7 @@ class Cameras {
         s.elevation = clamp(s.elevation + elevation, -0.2, 1.5);
     }
     zoom(factor) {
-        const s = this.settings[this.mode], home = homes[this.mode];
+        const s = this.settings[this.mode], home = this.homes[this.mode];
         s.distance = clamp(s.distance * factor, home.distance * 0.2, home.distance * 40);
     }
 
@@ -79,9 +83,10 @@ class Cameras {
         const { run } = this, body = moment.poses[0].position;
         const target = Vec.add(body, [0, run.middle[1], 0]);
         if (run.sea) target[1] = moment.value(this.heights) + run.middle[1];
-        const fov = 2 * Math.atan(Math.tan(0.36) / Math.min(1, aspect) ** 0.7);
+        const lens = run.flat && this.mode === 'orbit' ? flatness : 1;
+        const fov = 2 * Math.atan(Math.tan(0.36) / lens / Math.min(1, aspect) ** 0.7);
         const view = this.mode === 'ground' ? this.fromGround(target, fov, aspect) : this.around(moment, target, fov);
-        view.eye[1] = Math.max(view.eye[1], this.highestWave + 0.06 * run.radius + 0.05);
+        if (!run.space) view.eye[1] = Math.max(view.eye[1], this.highestWave + 0.06 * run.radius + 0.05);
         this.last = this.glide(view, now);
         return this.last;
     }

@@ -3,19 +3,23 @@
 
 class FlatPainter {
     constructor(canvas, run) {
-        Object.assign(this, { pen: canvas.getContext('2d'), run, trail: trailOf(run).path });
-        this.normals = run.parts.map(part => part.faces.map(face => Vec.normal(face.corners)));
+        Object.assign(this, { pen: canvas.getContext('2d'), run, trail: trailsOf(run).path });
     }
 
     paint({ view, moment, look, arrows, width, height }) {
         const camera = Mat.look(view.eye, view.target), near = 0.02 * Vec.size(Vec.sub(view.eye, view.target));
         Object.assign(this, { width, height, look, near, time: moment.time });
         this.matrix = Mat.multiply(Mat.perspective(view.fov, width / height, near, 40000), camera);
-        this.paintSky(view, camera);
-        this.paintGrid(view, moment);
-        this.paintMarks();
+        if (this.run.space) {
+            this.pen.fillStyle = look.space;
+            this.pen.fillRect(0, 0, width, height);
+        } else {
+            this.paintSky(view, camera);
+            this.paintGrid(view, moment);
+            this.paintMarks();
+            this.paintShadow(moment);
+        }
         this.paintTrail(moment.time);
-        this.paintShadow(moment);
         this.paintParts(moment, view.eye);
         for (const arrow of arrows) this.paintArrow(arrow);
     }
@@ -102,7 +106,7 @@ class FlatPainter {
         pen.fillStyle = look.shadow;
         pen.beginPath();
         run.parts.forEach((part, index) => {
-            if (index > 0 && !part.onBody) return;
+            if (part.ghost) return;
             for (const face of part.faces) {
                 const flat = this.placed(moment.poses[index], face.corners).map(p => [p[0], run.surface(p[0], p[2], this.time), p[2]]);
                 if (Vec.normal(flat)[1] < 0) flat.reverse();
@@ -121,26 +125,30 @@ class FlatPainter {
 
     paintParts(moment, eye) {
         const { pen, look, run } = this, faces = [];
-        run.parts.forEach((part, index) => part.faces.forEach((face, n) => {
-            const corners = this.placed(moment.poses[index], face.corners);
+        const collect = (part, pose) => part.faces.forEach(face => {
+            const corners = this.placed(pose, face.corners);
             const middle = Vec.scale(corners.reduce(Vec.add), 1 / corners.length), toEye = Vec.sub(eye, middle);
-            let normal = Quat.rotate(moment.poses[index].orientation, this.normals[index][n]);
+            let normal = Vec.normal(corners);
             const behind = Vec.dot(normal, toEye) < 0;
             if (behind && !part.twoSided) return;
             if (behind) normal = Vec.scale(normal, -1);
             const facing = Vec.dot(normal, sun), through = part.twoSided ? -0.7 * facing : 0;
             const light = look.ambient + 0.08 * normal[1] + look.sunlight * Math.max(facing, through);
-            faces.push({ corners, distance: Vec.size(toEye), colour: this.shade(face.colour, light) });
-        }));
+            faces.push({ corners, distance: Vec.size(toEye), colour: this.shade(face.colour, light), opacity: part.ghost ? 0.35 : 1 });
+        });
+        run.fixtures.forEach(part => collect(part, { position: [0, 0, 0], orientation: [1, 0, 0, 0] }));
+        run.parts.forEach((part, index) => collect(part, moment.poses[index]));
         faces.sort((a, b) => b.distance - a.distance);
         pen.lineJoin = 'round';
         pen.lineWidth = 0.7;
-        for (const { corners, colour } of faces) {
+        for (const { corners, colour, opacity } of faces) {
+            pen.globalAlpha = opacity;
             pen.fillStyle = pen.strokeStyle = colour;
             this.trace(corners, true);
             pen.fill();
             pen.stroke();
         }
+        pen.globalAlpha = 1;
     }
 
     paintArrow(arrow) {

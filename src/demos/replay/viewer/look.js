@@ -5,12 +5,12 @@ const looks = {
     light: {
         zenith: '#78aed6', horizon: '#eaf0f1', ground: '#d5dbc6', line: '#8b9a78', deep: '#3f7f96', shallow: '#79b3bd',
         foam: '#ffffff', trail: '#b3402a', wind: '#33475a', shadow: '#2b3a33', ambient: 0.68, sunlight: 0.34, glitter: 0.3, cloud: 0.75,
-        arrow: colour => colour,
+        space: '#1b2130', arrow: colour => colour,
     },
     dark: {
         zenith: '#0b131c', horizon: '#2c3d4b', ground: '#1e2723', line: '#61746a', deep: '#0c2735', shallow: '#1d4a5b',
         foam: '#9fc3cf', trail: '#ff9d7a', wind: '#d5e2ec', shadow: '#04080a', ambient: 0.58, sunlight: 0.34, glitter: 0.2, cloud: 0.14,
-        arrow: colour => lightened(colour, 0.35),
+        space: '#0a0d16', arrow: colour => lightened(colour, 0.35),
     },
 };
 
@@ -49,10 +49,20 @@ function arrowsAt(run, moment, look) {
     return arrows;
 }
 
-/// The way flown as pieces of line [a, b, timeA, timeB]; and, above ground, a plumb line every second.
-function trailOf(run) {
-    const p = run.parts[0].position, at = n => [p[0][n], p[1][n], p[2][n]];
-    const path = [], plumbs = [], every = Math.max(1, Math.ceil((run.end - run.start) / 240));
+/// The ways of all that leave a trail as pieces of line [a, b, timeA, timeB]; and, above land, a plumb line every second.
+function trailsOf(run) {
+    const all = { path: [], plumbs: [] };
+    for (const { root } of run.bodies.filter(body => body.trail)) {
+        const { path, plumbs } = trailOf(run, run.parts[root].position);
+        all.path.push(...path);
+        all.plumbs.push(...plumbs);
+    }
+    return all;
+}
+
+function trailOf(run, p) {
+    const at = n => [p[0][n], p[1][n], p[2][n]], path = [], plumbs = [];
+    const every = Math.max(1, Math.ceil((run.end - run.start) / 240));
     let last = 0, dropped = run.start;
     for (let n = 1; n < run.count; ++n) {
         if (run.cuts.has(n)) last = n;
@@ -61,7 +71,7 @@ function trailOf(run) {
             path.push([at(last), at(n), run.time[last], run.time[n]]);
             last = n;
         }
-        if (!run.sea && run.time[n] - dropped >= every) {
+        if (!run.sea && !run.space && run.time[n] - dropped >= every) {
             const [x, y, z] = at(n);
             if (y > run.radius) plumbs.push([[x, 0, z], [x, y, z], run.time[n], run.time[n]]);
             dropped += every;

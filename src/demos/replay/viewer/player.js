@@ -20,7 +20,7 @@ class Player {
         this.listenToControls();
         this.listenToKeys();
         this.followTheme();
-        this.setCamera('chase');
+        this.setCamera(run.flat ? 'orbit' : 'chase');
         if (!matchMedia('(prefers-reduced-motion: reduce)').matches) this.play(true);
         this.obey(location.hash);
         window.addEventListener('hashchange', () => this.obey(location.hash));
@@ -88,6 +88,10 @@ class Player {
     seek(time) {
         this.time = clamp(time, this.run.start, this.run.end);
         this.changed();
+    }
+    toEnd() {
+        this.play(false);
+        this.seek(this.run.end);
     }
     step(frames) {
         this.play(false);
@@ -174,7 +178,7 @@ class Player {
             ' ': () => this.play(!this.playing), 'arrowleft': e => this.seek(this.time - second(e)), 'arrowright': e => this.seek(this.time + second(e)),
             'arrowup': () => this.stage.zoom(0.9), 'arrowdown': () => this.stage.zoom(1 / 0.9), ',': () => this.step(-1), '.': () => this.step(1),
             '[': () => this.changeSpeed(-1), '-': () => this.changeSpeed(-1), ']': () => this.changeSpeed(1), '+': () => this.changeSpeed(1),
-            '=': () => this.changeSpeed(1), 'home': () => this.seek(this.run.start), 'end': () => this.seek(this.run.end),
+            '=': () => this.changeSpeed(1), 'home': () => this.seek(this.run.start), 'end': () => this.toEnd(),
             'c': () => this.nextCamera(), 'r': () => this.stage.reset(), 'a': () => this.setArrows(!$('arrows').checked), 'l': () => this.setLoop(!this.loop),
             't': () => this.toggleTheme(), 'h': () => this.toggleHelp(), '?': () => this.toggleHelp(),
         };

@@ -26,13 +26,12 @@ class Run {
     constructor(data) {
         const decode = column => decodeColumn(column, data.frames);
         Object.assign(this, {
-            title: data.title, kind: data.kind, summary: data.summary, sea: data.sea, count: data.frames,
+            title: data.title, kind: data.kind, summary: data.summary, sea: data.terrain === 'sea', space: data.terrain === 'space',
+            flat: data.flat, count: data.frames,
             newtonsPerMetre: data.newtonsPerMetre, cuts: new Set(data.cuts), time: decode(data.time),
             windspeed: data.windspeed.map(decode),
-            parts: data.parts.map(part => ({
-                ...part, position: part.position.map(decode), orientation: part.orientation.map(decode),
-                faces: part.faces.map(Run.face),
-            })),
+            parts: [], bodies: [],
+            fixtures: data.fixtures.map(part => ({ ...part, faces: part.faces.map(Run.face) })),
             paint: data.paint.map(Run.face),
             arrows: data.arrows.map(a => ({ ...a, tail: a.tail.map(decode), vector: a.vector.map(decode) })),
             channels: data.channels.map(channel => ({ ...channel, values: decode(channel.values) })),
@@ -44,6 +43,7 @@ class Run {
                 };
             }),
         });
+        data.bodies.forEach(body => this.addBody(body, decode));
         this.start = this.time[0];
         this.end = this.time[this.count - 1];
         this.events = data.events.filter(e => e.time >= this.start - 1 && e.time <= this.end + 1)
@@ -52,17 +52,28 @@ class Run {
         this.measure();
     }
 
+    /// All parts stand in one row, as do a moment's poses; `root` is the place there of the body's first.
+    addBody({ trail, ghost, parts }, decode) {
+        const root = this.parts.length;
+        this.bodies.push({ root, trail });
+        for (const part of parts)
+            this.parts.push({
+                ...part, root, ghost, position: part.position.map(decode), orientation: part.orientation.map(decode),
+                faces: part.faces.map(Run.face),
+            });
+    }
+
     static face({ colour, corners }) {
         return { colour, corners: Array.from({ length: corners.length / 3 }, (_, n) => corners.slice(3 * n, 3 * n + 3)) };
     }
 
-    /// The vehicle's size, its middle in the body's frame, and the strongest wind.
+    /// The first body's size, its middle in its own frame, and the strongest wind.
     measure() {
         const first = this.at(this.start), body = first.poses[0];
         const back = body.orientation.map((value, i) => i ? -value : value);
         const least = [Infinity, Infinity, Infinity], most = [-Infinity, -Infinity, -Infinity];
         this.parts.forEach((part, index) => {
-            if (index > 0 && !part.onBody) return;
+            if (part.root !== 0 || (index > 0 && !part.onBody)) return;
             const pose = first.poses[index];
             for (const corner of part.faces.flatMap(face => face.corners)) {
                 const world = Vec.add(pose.position, Quat.rotate(pose.orientation, corner));
@@ -102,7 +113,7 @@ class Run {
                 position: part.position.map(value),
                 orientation: Quat.nlerp(part.orientation.map(c => c[n]), part.orientation.map(c => c[next]), s),
             };
-            poses.push(part.onBody ? Run.compose(poses[0], pose) : pose);
+            poses.push(part.onBody ? Run.compose(poses[part.root], pose) : pose);
         }
         const arrows = this.arrows.map(a => ({
             name: a.name, colour: a.colour, vector: a.vector.map(value),

@@ -14,14 +14,14 @@ function sampleRecording() {
         face('#c8553d', [0.25, 0, 0], [-0.3, 0, 0], [-0.3, 0.06, 1.5], [-0.1, 0.06, 1.5]),
         face('#c8553d', [-0.85, 0.1, 0], [-1.15, 0.5, 0], [-1.3, 0.5, 0], [-1.15, 0.1, 0])];
     return {
-        title: 'A sample circle', kind: 'workshop', frames, cuts: [], time: times, sea: false, waves: [], newtonsPerMetre: 20,
+        title: 'A sample circle', kind: 'workshop', frames, cuts: [], time: times, terrain: 'land', flat: false, waves: [], fixtures: [], newtonsPerMetre: 20,
         summary: 'Made up by the page, so that one can work on it without a recording.\nlength: 12 s\nradius: 30 m',
         events: [{ time: 3, text: 'highest' }, { time: 9, text: 'lowest' }], windspeed: [4, 0, 1],
-        parts: [
+        bodies: [{ trail: true, ghost: false, parts: [
             { name: 'body', twoSided: false, onBody: false, faces: body, position: [turn.map(a => 30 * Math.sin(a)), height, turn.map(a => -30 * Math.cos(a))],
                 orientation: [0, 1, 2, 3].map(i => product.map(q => q[i])) },
             { name: 'wings', twoSided: true, onBody: true, faces: wings, position: [0, 0, 0], orientation: [1, 0, 0, 0] },
-        ],
+        ] }],
         paint: [face('#6b6e72', [-20, 0, 34], [20, 0, 34], [20, 0, 26], [-20, 0, 26])],
         arrows: [{ name: 'lift', colour: '#1f77a4', tail: [0, 0.1, 0], vector: [turn.map(a => -0.6 * Math.sin(a)), 1.3, turn.map(a => 0.6 * Math.cos(a))] }],
         channels: [{ name: 'altitude', unit: 'm', panel: 'Altitude', values: height }, { name: 'bank', unit: '°', panel: 'Attitude', values: 26 },

@@ -22,7 +22,7 @@ const shaders = {
             return y;
         }`,
 
-    /// The vehicle's shadow, straight below it, from its silhouette.
+    /// The bodies' shadows around the first one, straight below them, from their silhouettes.
     shadow: `
         uniform vec4 shadow;  // middle x, z, half width, softness
         uniform sampler2D silhouette;
@@ -181,7 +181,7 @@ const shaders = {
             }`,
     },
 
-    /// The vehicle seen from straight above, in white.
+    /// The bodies seen from straight above, in white.
     silhouette: {
         vertex: () => `
             layout(location = 0) in vec3 place;

@@ -12,11 +12,12 @@ class SolidPainter {
         Object.assign(this, { gl, run, programs: {}, uniforms: {} });
         for (const name of ['sky', 'surface', 'paint', 'solid', 'silhouette', 'trail']) this.build(name);
         this.parts = run.parts.map(part => this.mesh(SolidPainter.triangles(part.faces)));
+        this.fixtures = run.fixtures.map(part => this.mesh(SolidPainter.triangles(part.faces)));
         this.marks = this.mesh(SolidPainter.triangles(run.paint));
         this.shaft = this.mesh(SolidPainter.triangles(SolidPainter.prism(1)));
         this.head = this.mesh(SolidPainter.triangles(SolidPainter.prism(0)));
         this.disc = this.makeDisc();
-        const { path, plumbs } = trailOf(run);
+        const { path, plumbs } = trailsOf(run);
         this.path = this.pieces(path);
         this.plumbs = this.pieces(plumbs);
         this.shadow = this.makeShadow(512);
@@ -145,8 +146,9 @@ class SolidPainter {
         const viewProjection = Mat.multiply(Mat.perspective(view.fov, width / height, near, 40000), camera);
         const pixel = 2 * Math.tan(view.fov / 2) / height;
         const shared = {
-            viewProjection, eye: view.eye, sun, zenith: rgb(look.zenith), horizon: rgb(look.horizon), ambient: look.ambient,
-            sunlight: look.sunlight, foam: rgb(look.foam), cloud: look.cloud, picture: [width, height], opacity: 1, ink: [0, 0, 0, 0], time: moment.time,
+            viewProjection, eye: view.eye, sun, zenith: rgb(run.space ? look.space : look.zenith),
+            horizon: rgb(run.space ? look.space : look.horizon), ambient: look.ambient, sunlight: look.sunlight,
+            foam: rgb(look.foam), cloud: run.space ? 0 : look.cloud, picture: [width, height], opacity: 1, ink: [0, 0, 0, 0], time: moment.time,
             waves: run.waves.length ? run.waves.flatMap(w => [...w.k, w.amplitude, w.phase - w.frequency * moment.time]) : [0, 0, 0, 0],
         };
         const matrices = moment.poses.map(Mat.ofPose);
@@ -156,8 +158,11 @@ class SolidPainter {
         gl.clear(gl.DEPTH_BUFFER_BIT);
         this.paintSky(shared, camera, view.fov, width / height);
         gl.enable(gl.DEPTH_TEST);
-        this.paintSurface(shared, view, look, shadow, height);
-        this.paintMarks(shared, look, shadow);
+        if (!run.space) {
+            this.paintSurface(shared, view, look, shadow, height);
+            this.paintMarks(shared, look, shadow);
+        }
+        this.paintFixtures(shared);
         this.paintParts(shared, matrices);
         this.paintTrail(shared, look, moment.time, height);
         this.paintArrows(shared, arrows, view.eye, pixel);
@@ -172,7 +177,7 @@ class SolidPainter {
         gl.clearColor(0, 0, 0, 1);
         gl.clear(gl.COLOR_BUFFER_BIT);
         run.parts.forEach((part, index) => {
-            if (index > 0 && !part.onBody) return;
+            if (part.ghost) return;
             this.use('silhouette', { model: matrices[index], frame: [body[0], body[2], half] });
             this.draw(this.parts[index]);
         });
@@ -212,15 +217,35 @@ class SolidPainter {
         gl.depthMask(true);
     }
 
+    paintFixtures(shared) {
+        this.use('solid', shared);
+        const model = Mat.frame([1, 0, 0], [0, 1, 0], [0, 0, 1], [0, 0, 0]);
+        this.run.fixtures.forEach((part, index) => this.paintPart(part, this.fixtures[index], model));
+    }
+
+    /// Last what one sees through.
     paintParts(shared, matrices) {
         const { gl, run } = this;
         this.use('solid', shared);
-        run.parts.forEach((part, index) => {
-            if (!part.twoSided) gl.enable(gl.CULL_FACE);
-            this.use('solid', { model: matrices[index], thin: part.twoSided ? 0.7 : 0 });
-            this.draw(this.parts[index]);
-            gl.disable(gl.CULL_FACE);
-        });
+        for (const ghost of [false, true]) {
+            if (ghost) {
+                this.use('solid', { opacity: 0.35 });
+                gl.enable(gl.BLEND);
+                gl.blendFunc(gl.SRC_ALPHA, gl.ONE_MINUS_SRC_ALPHA);
+                gl.depthMask(false);
+            }
+            run.parts.forEach((part, index) => { if (part.ghost === ghost) this.paintPart(part, this.parts[index], matrices[index]); });
+        }
+        gl.depthMask(true);
+        gl.disable(gl.BLEND);
+    }
+
+    paintPart(part, mesh, model) {
+        const { gl } = this;
+        if (!part.twoSided) gl.enable(gl.CULL_FACE);
+        this.use('solid', { model, thin: part.twoSided ? 0.7 : 0 });
+        this.draw(mesh);
+        gl.disable(gl.CULL_FACE);
     }
 
     paintTrail(shared, look, now, height) {

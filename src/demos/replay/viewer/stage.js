@@ -42,7 +42,7 @@ class Stage {
         this.painter.paint({ view, moment, look, arrows, width, height });
         this.placeLabels(arrows, view, clientWidth, clientHeight);
         const { cell } = gridAt(view, clientHeight);
-        this.scale.textContent = `grid ${cell < 1000 ? `${cell} m` : `${cell / 1000} km`}`;
+        this.scale.textContent = this.run.space ? '' : `grid ${cell < 1000 ? `${cell} m` : `${cell / 1000} km`}`;
     }
 
     /// A name at each arrow's tip, where there is room, unless the arrow is short.

@@ -1,4 +1,4 @@
-#include "shell/stage.h"
+#include "picture/stage.h"
 
 #include <gtest/gtest.h>
 
@@ -9,12 +9,14 @@
 #include "sailboat/sailing.h"
 
 using namespace demo;
+using sailboat::Sailing;
+using namespace flightsim;
 
 namespace {
 
 /// The middle of what is red on the picture, in pixels; or nothing if there is no red.
-std::optional<Spot> findRed(const Image &image) {
-    Spot sum;
+std::optional<ScreenPoint> findRed(const Image &image) {
+    ScreenPoint sum;
     int count = 0;
     for (int y = 0; y < image.height; ++y)
         for (int x = 0; x < image.width; ++x) {
@@ -25,7 +27,7 @@ std::optional<Spot> findRed(const Image &image) {
             ++count;
         }
     if (count == 0) return std::nullopt;
-    return Spot{sum.x / count, sum.y / count};
+    return ScreenPoint{sum.x / count, sum.y / count};
 }
 
 }  // namespace
@@ -53,7 +55,7 @@ TEST(DemoStage, EveryCameraSeesTheVehicleInTheMiddleWhereverItIs) {
     for (const Vector3 &place : {Vector3(0, 1, 0), Vector3(80, 15, -40), Vector3(-60, 40, 20)}) {
         flight.getAircraft().launch(place);
         for (const Viewpoint viewpoint : {Viewpoint::SPECTATOR, Viewpoint::CHASE, Viewpoint::SIDE}) {
-            Stage stage(flight.getProfile());
+            Stage stage(flight.getScene());
             stage.viewpoint = viewpoint;
             stage.zoom = 2;
             Canvas canvas;
@@ -70,7 +72,7 @@ TEST(DemoStage, TheBoatFillsThePictureFromHullToMasthead) {
     Sailing sailing;
     const Vector3 place = sailing.getFrame().poses[0].position;
     for (const Viewpoint viewpoint : {Viewpoint::SPECTATOR, Viewpoint::CHASE, Viewpoint::SIDE}) {
-        Stage stage(sailing.getProfile());
+        Stage stage(sailing.getScene());
         stage.viewpoint = viewpoint;
         Canvas canvas;
         stage.draw(canvas, 200, 50, sailing.getFrame(), 0);
@@ -81,4 +83,72 @@ TEST(DemoStage, TheBoatFillsThePictureFromHullToMasthead) {
         EXPECT_LT(keel, 95) << Stage::getName(viewpoint);
         EXPECT_GT(keel - masthead, 50) << Stage::getName(viewpoint);
     }
+}
+
+namespace {
+
+/// A red square across Z, one metre wide, in space.
+Scene makeFlatScene(bool leavesTrail) {
+    Scene scene;
+    scene.surroundings.terrain = Terrain::SPACE;
+    scene.cameras.viewpoints = {Viewpoint::PLANE};
+    const std::vector<Vector3> corners{{-0.5, -0.5, 0}, {0.5, -0.5, 0}, {0.5, 0.5, 0}, {-0.5, 0.5, 0}};
+    scene.bodies = {{{{"square", {{corners, {220, 10, 10}}}, false}}, leavesTrail, false}};
+    return scene;
+}
+
+Frame frameAt(const std::vector<Vector3> &places) {
+    Frame frame;
+    for (const Vector3 &place : places) frame.poses.push_back({place, Quaternion()});
+    return frame;
+}
+
+}  // namespace
+
+TEST(DemoStage, ThePlaneIsSeenFlatWithXToTheRightAndYUp) {
+    const Scene scene = makeFlatScene(false);
+    Stage stage(scene);
+    Canvas canvas;
+    stage.draw(canvas, 100, 50, frameAt({{7, -30, 0}}), 0);  // below where a ground would be
+    real x[3], y[3];
+    ASSERT_TRUE(canvas.view().project({7, -30, 0}, x[0], y[0]));
+    ASSERT_TRUE(canvas.view().project({8, -30, 0}, x[1], y[1]));
+    ASSERT_TRUE(canvas.view().project({8, -30, -1}, x[2], y[2]));
+    EXPECT_NEAR(x[0], 50, 1e-6);
+    EXPECT_GT(x[1], x[0] + 5);
+    EXPECT_NEAR(y[1], y[0], 1e-6);
+    EXPECT_NEAR(x[2], x[1], 0.2) << "depth hardly shows";
+    EXPECT_TRUE(findRed(canvas.image()));
+}
+
+TEST(DemoStage, ATrailShowsWhereABodyCameFromUntilACut) {
+    const Scene with = makeFlatScene(true), without = makeFlatScene(false);
+    const auto drawn = [](const Scene &scene, bool cut) {
+        Stage stage(scene);
+        Canvas canvas;
+        for (int n = 0; n <= 20; ++n) {
+            Frame frame = frameAt({{0.1 * n, 0, 0}});
+            frame.cut = cut && n == 20;
+            stage.draw(canvas, 100, 50, frame, 0.1);
+        }
+        return canvas.image();
+    };
+    const auto differing = [](const Image &a, const Image &b) {
+        int count = 0;
+        for (std::size_t n = 0; n < a.pixels.size(); ++n) count += a.pixels[n] != b.pixels[n];
+        return count;
+    };
+    EXPECT_GT(differing(drawn(with, false), drawn(without, false)), 10);
+    EXPECT_EQ(differing(drawn(with, true), drawn(without, true)), 0);
+}
+
+TEST(DemoStage, TheNextViewpointIsTheScenesNextAndThenTheFirst) {
+    Scene scene = makeFlatScene(false);
+    scene.cameras.viewpoints = {Viewpoint::PLANE, Viewpoint::CHASE};
+    Stage stage(scene);
+    EXPECT_EQ(stage.viewpoint, Viewpoint::PLANE);
+    stage.nextViewpoint();
+    EXPECT_EQ(stage.viewpoint, Viewpoint::CHASE);
+    stage.nextViewpoint();
+    EXPECT_EQ(stage.viewpoint, Viewpoint::PLANE);
 }

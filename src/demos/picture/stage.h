@@ -1,24 +1,24 @@
 #pragma once
 
-/// Draws a demonstration's moments: cameras, solids, shadows and arrows.
+/// Draws a scene's moments: cameras, solids, shadows, arrows and trails.
 #include "picture/canvas.h"
-#include "shell/demo.h"
+#include "picture/scene.h"
+
+#include <deque>
 
 namespace demo {
 
-enum class Viewpoint { SPECTATOR, CHASE, SIDE };
-
-/// What the two frames' moments make together, `share` of the way from a to b; b as it is if it is a cut.
-Frame interpolated(const Frame &a, const Frame &b, real share);
-
 class Stage {
 public:
-    /// The profile must outlive the stage.
-    explicit Stage(const Profile &p) : profile(p) {}
+    /// The scene must outlive the stage, and keep its bodies.
+    explicit Stage(const Scene &scene);
 
-    Viewpoint viewpoint = Viewpoint::CHASE;
+    Viewpoint viewpoint;      ///< at first the scene's first one
     real zoom = 1;            ///< 2: everything twice as large
     bool showForces = false;  ///< the surfaces' forces as arrows
+
+    /// Goes on to the scene's next viewpoint.
+    void nextViewpoint();
 
     /// Draws all but text onto the canvas, which it begins. `elapsed` s have gone by since the last frame:
     /// the chase camera swings round with a little delay.
@@ -28,9 +28,13 @@ public:
 
 private:
     Camera aim(const Frame &frame, real elapsed);
+    void drawBodies(Canvas &canvas, const Frame &frame) const;
+    void lengthenTrails(const Frame &frame);
+    void drawTrails(Canvas &canvas) const;
 
-    const Profile &profile;
+    const Scene &scene;
     Vector3 behind;  ///< horizontal: where the chase camera looks along; zero at first
+    std::vector<std::deque<Vector3>> trails;  ///< of each body, the latest place last
 };
 
 }  // namespace demo
