@@ -103,7 +103,11 @@ void Flight::steer() {
     setControl(THROTTLE, sticks.throttle);
     if (pilot.getLeg() == lastLeg) return;
     lastLeg = pilot.getLeg();
-    if (lastLeg != Pilot::Leg::CLIMB && lastLeg != Pilot::Leg::ROLL_OUT) tell(Pilot::getName(lastLeg));
+    if (lastLeg == Pilot::Leg::STAY_DOWN)
+        tell("stays down: wind of up to " + fixed(pilot.getStrongestWind(), 1) + " m/s, gusts of " +
+             fixed(pilot.getGusts(), 1) + " m/s");
+    else if (lastLeg != Pilot::Leg::CLIMB && lastLeg != Pilot::Leg::ROLL_OUT)
+        tell(Pilot::getName(lastLeg));
 }
 
 void Flight::beforeStep() {

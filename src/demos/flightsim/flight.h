@@ -16,7 +16,9 @@ public:
     Flight();
 
     void steer() override;
-    bool isOver() const override { return pilot.getLeg() == Pilot::Leg::STOPPED; }
+    bool isOver() const override {
+        return pilot.getLeg() == Pilot::Leg::STOPPED || pilot.getLeg() == Pilot::Leg::STAY_DOWN;
+    }
     std::string getHeadUpLine() const override;
     std::string getSummary() const override;
 
@@ -48,7 +50,7 @@ private:
     Wind wind;
     Aircraft aircraft;
     Pilot pilot;
-    Pilot::Leg lastLeg = Pilot::Leg::TAKE_OFF;
+    Pilot::Leg lastLeg = Pilot::Leg::WATCH;
     Vector3 lastPosition, lastVelocity;  ///< before the step
     real propellerAngle = 0;
     bool airborne = false;

@@ -1,5 +1,7 @@
 #include "flightsim/pilot.h"
 
+#include <algorithm>
+
 namespace flightsim {
 
 using cyclone::real_clamp;
@@ -16,6 +18,10 @@ constexpr real GLIDE_SLOPE = 0.125;
 constexpr real FLARE_HEIGHT = 1.2;   // m
 constexpr real MAX_AIRSPEED = 10.5;  // m/s
 constexpr real MAX_BANK = 32 * DEGREE;
+// Of the wind, before it takes off: in less than CALM it is off soon; the strongest wind and the root mean
+// square of the gusts together are TOO_MUCH.
+constexpr real SHORT_WATCH = 3, LONG_WATCH = 12;  // s
+constexpr real CALM = 3, TOO_MUCH = 6.5;          // m/s
 
 real wrapped(real angle) {
     while (angle > REAL_PI) angle -= 2 * REAL_PI;
@@ -38,10 +44,20 @@ real groundSpeed(const Aircraft &aircraft) {
     return cyclone::real_sqrt(velocity.x * velocity.x + velocity.z * velocity.z);
 }
 
+/// rad: how far from the side the air may come before it tips the aircraft over, which stands on wheels 0.3 m
+/// to the side. Its surfaces drag 0.8·speed·slip, 0.65 m above the ground, against what is left of the
+/// weight: the lift on the ground is 2.4·speed.
+real maxSlip(real airspeed) {
+    const real load = Aircraft::MASS * 9.81 - 2.4 * airspeed;
+    return real_clamp(0.6 * load / (airspeed * airspeed + 0.01), 0, 2);
+}
+
 }  // namespace
 
 std::string Pilot::getName(Leg leg) {
     switch (leg) {
+        case Leg::WATCH:
+            return "watching the windsock";
         case Leg::TAKE_OFF:
             return "take-off";
         case Leg::CLIMB:
@@ -60,6 +76,8 @@ std::string Pilot::getName(Leg leg) {
             return "roll-out";
         case Leg::STOPPED:
             return "stopped";
+        case Leg::STAY_DOWN:
+            return "stays down";
     }
     return "";
 }
@@ -68,6 +86,11 @@ void Pilot::chooseLeg(const Aircraft &aircraft) {
     const Vector3 position = aircraft.getBody().getPosition();
     const real height = heightOf(aircraft);
     switch (leg) {
+        case Leg::WATCH:
+            if (watched >= SHORT_WATCH && strongest < CALM) leg = Leg::TAKE_OFF;
+            if (watched >= LONG_WATCH) leg = Leg::TAKE_OFF;
+            if (strongest + getGusts() > TOO_MUCH) leg = Leg::STAY_DOWN;
+            break;
         case Leg::TAKE_OFF:
             if (!aircraft.isOnGround() && height > 0.5) leg = Leg::CLIMB;
             break;
@@ -95,6 +118,7 @@ void Pilot::chooseLeg(const Aircraft &aircraft) {
             if (groundSpeed(aircraft) < 0.1) leg = Leg::STOPPED;
             break;
         case Leg::STOPPED:
+        case Leg::STAY_DOWN:
             break;
     }
 }
@@ -113,24 +137,56 @@ real Pilot::chooseClimb(const Aircraft &aircraft) const {
         case Leg::FINAL: {
             const real toGo = AIM_X - position.x + (leg == Leg::BASE ? -position.z : 0);
             const real slope = GLIDE_SLOPE * toGo;
-            return real_clamp(0.5 * (slope - height) - GLIDE_SLOPE * groundSpeed(aircraft), -2, 0.5);
+            const real steepest = real_clamp(-0.4 - 0.2 * height, -2, 0);  // lest a gust press it down
+            return real_clamp(0.5 * (slope - height) - GLIDE_SLOPE * groundSpeed(aircraft), steepest, 0.5);
         }
         case Leg::FLARE:
             return -0.15 - 0.5 * height;
+        case Leg::WATCH:
         case Leg::ROLL_OUT:
         case Leg::STOPPED:
+        case Leg::STAY_DOWN:
             break;
     }
     return 0;
 }
 
-/// Nose wheel and rudder keep it on the line z = 0; wings with little lift keep it on its wheels.
+/// Nose wheel and rudder keep it on the line z = 0, as far as the wind from the side allows; when it tips, it
+/// turns to that side, as a bicycle does. Wings with little lift keep it on its wheels.
 void Pilot::steerOnGround(const Aircraft &aircraft) {
     const RigidBody &body = aircraft.getBody();
     const real wanted = real_clamp(-0.15 * body.getPosition().z, -0.3, 0.3);
-    const real error = wrapped(wanted - aircraft.getHeading());
-    sticks.rudder = real_clamp(1.2 * error + 0.3 * body.getRotation().y, -0.6, 0.6);
+    const Vector3 air = body.getDirectionInLocalSpace(aircraft.getVelocityThroughAir());
+    const real slip = cyclone::real_atan2(air.z, real_clamp(air.x, 0.1, 100));
+    const real most = maxSlip(cyclone::real_sqrt(air.x * air.x + air.z * air.z));
+    const real error = real_clamp(wrapped(wanted - aircraft.getHeading()), slip - most, slip + most);
+    const real rudder = 1.2 * error + 0.3 * body.getRotation().y + 8 * aircraft.getRoll();
+    sticks.rudder = real_clamp(rudder, -1, 1);
     sticks.roll = real_clamp(-6 * aircraft.getRoll(), -1, 1);
+}
+
+/// The wings' little lift brakes it, but not so little that the nose goes down and the tail comes up. A touch
+/// of throttle when the wind pushes it back.
+void Pilot::stop(const Aircraft &aircraft) {
+    const RigidBody &body = aircraft.getBody();
+    steerOnGround(aircraft);
+    sticks.pitch = real_clamp(-1 - 20 * (aircraft.getPitch() + 0.03), -1, 0.5);
+    sticks.throttle = real_clamp(-0.3 * body.getDirectionInLocalSpace(body.getVelocity()).x, 0, 0.4);
+}
+
+/// What the windsock tells while the aircraft stands.
+void Pilot::watchTheWind(const Aircraft &aircraft, real duration) {
+    const Vector3 air = aircraft.getVelocityThroughAir();
+    watched += duration;
+    windSum += air * duration;
+    windSquare += air.squareMagnitude() * duration;
+    strongest = std::max(strongest, air.magnitude());
+}
+
+real Pilot::getGusts() const {
+    return watched > 0 ? cyclone::real_sqrt(std::max(
+                             0.0, windSquare / watched - (windSum * (1 / watched)).squareMagnitude()))
+                       : 0;
 }
 
 /// Banks until the track over the ground has the given course and the distance to starboard of it is gone.
@@ -139,7 +195,8 @@ void Pilot::follow(const Aircraft &aircraft, real course, real offTrack) {
     const Vector3 velocity = body.getVelocity();
     const real track = cyclone::real_atan2(velocity.z, velocity.x);
     const real wanted = course - real_clamp(0.03 * offTrack, -0.6, 0.6);
-    const real bank = real_clamp(0.9 * wrapped(wanted - track), -MAX_BANK, MAX_BANK);
+    const real maxBank = real_clamp(0.1 * heightOf(aircraft), 0, MAX_BANK);  // it lands wings level
+    const real bank = real_clamp(0.9 * wrapped(wanted - track), -maxBank, maxBank);
     const real rollRate = body.getDirectionInLocalSpace(body.getRotation()).x;
     const real stick = 0.17 * bank + 1.2 * (bank - aircraft.getRoll()) - 0.12 * rollRate;
     sticks.roll = real_clamp(stick, -0.8, 0.8) * stickScale(aircraft);
@@ -156,13 +213,16 @@ void Pilot::holdClimb(const Aircraft &aircraft, real climb, real duration) {
     // Not far down: pushed, the chapter's wings pull the aircraft forward. Too fast, it is braked by pulling.
     const real tooFast = real_clamp(airspeed - MAX_AIRSPEED, 0, 5);
     const real stick = 2 * (pitch - aircraft.getPitch()) - 0.4 * pitchRate + 0.4 * bank * bank;
-    sticks.pitch =
-        real_clamp(real_clamp(stick, -0.35, 0.6) + 0.15 * tooFast, -0.35, 0.6) * stickScale(aircraft);
+    sticks.pitch = real_clamp(real_clamp(stick, -0.35, 1) + 0.15 * tooFast, -0.35, 1) * stickScale(aircraft);
 
-    const real tooSlow = Aircraft::LEVEL_SPEED * (1 + 0.25 * bank * bank) - airspeed;
+    // Lift grows with speed, so power helps at once against a gust that makes it sink.
+    const real sinking = climb - body.getVelocity().y;
+    const real reserve = leg == Leg::FINAL || leg == Leg::FLARE ? 0.2 * getGusts() : 0;
+    const real tooSlow = Aircraft::LEVEL_SPEED * (1 + 0.25 * bank * bank) + reserve - airspeed;
     throttleTrim = real_clamp(throttleTrim + 0.03 * tooSlow * duration, -0.3, 0.3);
-    sticks.throttle =
-        real_clamp(Aircraft::LEVEL_THROTTLE + throttleTrim + 0.17 * climb + 0.15 * tooSlow, 0, 1);
+    sticks.throttle = real_clamp(Aircraft::LEVEL_THROTTLE + throttleTrim + 0.17 * climb + 0.5 * tooSlow +
+                                     0.8 * real_clamp(sinking, 0, 3),
+                                 0, 1);
 }
 
 FlightControls Pilot::fly(const Aircraft &aircraft, real duration) {
@@ -174,11 +234,14 @@ FlightControls Pilot::fly(const Aircraft &aircraft, real duration) {
             sticks.throttle = 1;
             sticks.pitch = aircraft.getAirspeed() > 9 ? 0.3 : -0.5;
             return sticks;
+        case Leg::WATCH:
+            watchTheWind(aircraft, duration);
+            stop(aircraft);
+            return sticks;
         case Leg::ROLL_OUT:
         case Leg::STOPPED:
-            steerOnGround(aircraft);
-            sticks.throttle = 0;
-            sticks.pitch = -1;
+        case Leg::STAY_DOWN:
+            stop(aircraft);
             return sticks;
         case Leg::CROSSWIND:
             follow(aircraft, -REAL_PI / 2, 0);

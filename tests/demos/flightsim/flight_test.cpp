@@ -64,6 +64,38 @@ TEST(DemoFlight, ThePilotTakesOffFliesACircuitAndLandsInAnyWeather) {
     }
 }
 
+/// What became of forty seeds in the wind from eight directions.
+struct Season {
+    int flights = 0, landings = 0, crashes = 0, daysOnTheGround = 0;
+};
+
+Season flySeason(real wind, real gusts) {
+    Season season;
+    for (std::uint64_t seed = 1; seed <= 40; ++seed)
+        for (int direction = 0; direction < 360; direction += 45) {
+            Flight flight;
+            flight.begin(seed, {wind, static_cast<real>(direction), gusts});
+            const std::vector<Event> events = flyOut(flight);
+            ++season.flights;
+            season.landings += happened(events, "touched down") && flight.isOver() ? 1 : 0;
+            season.crashes += happened(events, "crashed") ? 1 : 0;
+            season.daysOnTheGround += happened(events, "stays down: wind of up to") ? 1 : 0;
+        }
+    return season;
+}
+
+TEST(DemoFlight, ThePilotDoesNotCrashInGustsFromAnySide) {
+    const Season season = flySeason(3, 1);
+    EXPECT_EQ(season.crashes, 0);
+    EXPECT_GT(season.landings, 0.9 * season.flights);
+}
+
+TEST(DemoFlight, ThePilotStaysDownInAStormAndSaysWhy) {
+    const Season season = flySeason(5, 2);
+    EXPECT_EQ(season.crashes, 0);
+    EXPECT_EQ(season.landings + season.daysOnTheGround, season.flights);
+}
+
 TEST(DemoFlight, TheSameSeedGivesTheSameFlightAndAnotherSeedAnother) {
     Flight a, b, c;
     a.begin(7, {1.5, 20, 0.3});
