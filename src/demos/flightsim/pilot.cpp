@@ -18,10 +18,10 @@ constexpr real GLIDE_SLOPE = 0.125;
 constexpr real FLARE_HEIGHT = 1.2;   // m
 constexpr real MAX_AIRSPEED = 10.5;  // m/s
 constexpr real MAX_BANK = 32 * DEGREE;
-// Of the wind, before it takes off: in less than CALM it is off soon; the strongest wind and the root mean
-// square of the gusts together are TOO_MUCH.
-constexpr real SHORT_WATCH = 3, LONG_WATCH = 12;  // s
-constexpr real CALM = 3, TOO_MUCH = 6.5;          // m/s
+// In a wind of less than CALM he takes off without a watch. TOO_MUCH is the strongest wind and the root mean
+// square of the gusts together.
+constexpr real WATCH = 12;                  // s
+constexpr real CALM = 2.5, TOO_MUCH = 6.5;  // m/s
 
 real wrapped(real angle) {
     while (angle > REAL_PI) angle -= 2 * REAL_PI;
@@ -44,12 +44,12 @@ real groundSpeed(const Aircraft &aircraft) {
     return cyclone::real_sqrt(velocity.x * velocity.x + velocity.z * velocity.z);
 }
 
-/// rad: how far from the side the air may come before it tips the aircraft over, which stands on wheels 0.3 m
-/// to the side. Its surfaces drag 0.8·speed·slip, 0.65 m above the ground, against what is left of the
-/// weight: the lift on the ground is 2.4·speed.
+/// rad: from how far to the side the air may come on the ground before it tips the aircraft over. The
+/// surfaces' force to the side grows with the square of the airspeed; against it stands the weight that is
+/// left on the wheels, as the lift is 2.4·airspeed. The factor is by trial.
 real maxSlip(real airspeed) {
     const real load = Aircraft::MASS * 9.81 - 2.4 * airspeed;
-    return real_clamp(0.6 * load / (airspeed * airspeed + 0.01), 0, 2);
+    return real_clamp(1.5 * load / (airspeed * airspeed + 0.01), 0, 2);
 }
 
 }  // namespace
@@ -87,8 +87,8 @@ void Pilot::chooseLeg(const Aircraft &aircraft) {
     const real height = heightOf(aircraft);
     switch (leg) {
         case Leg::WATCH:
-            if (watched >= SHORT_WATCH && strongest < CALM) leg = Leg::TAKE_OFF;
-            if (watched >= LONG_WATCH) leg = Leg::TAKE_OFF;
+            if (watched > 0 && strongest < CALM) leg = Leg::TAKE_OFF;
+            if (watched >= WATCH) leg = Leg::TAKE_OFF;
             if (strongest + getGusts() > TOO_MUCH) leg = Leg::STAY_DOWN;
             break;
         case Leg::TAKE_OFF:
