@@ -170,6 +170,7 @@ private:
             if (body == nullptr) continue;
             body->generated = Wrench();
             body->hasGenerated = false;
+            body->resistance = 0;
         }
     }
 

@@ -54,7 +54,8 @@ public:
     /// generators; beside a spring, to z < 1 − (ω·duration/2)².
     ///
     /// Called after all generators of a body, and only if what they told RigidBody::addResistance may be too
-    /// strong for an explicit step. To tell more than is true is safe: the motion ends the same, only later.
+    /// strong for an explicit step; it must not throw. To tell more than is true is safe: the motion ends the
+    /// same, only later.
     virtual void addResistance(const RigidBody &body, Resistance &sum) const;
 
 protected:
