@@ -39,7 +39,7 @@ namespace detail {
 constexpr std::size_t PREFETCH_AHEAD = 12;
 
 /// Asks the processor to have these bytes ready soon.
-inline void prefetch(const void *start, std::size_t size) {
+CYCLONE_INLINE void prefetch(const void *start, std::size_t size) {
 #ifdef __GNUC__
     constexpr std::size_t CACHE_LINE = 64;
     for (std::size_t n = 0; n < size; n += CACHE_LINE)
