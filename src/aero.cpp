@@ -26,6 +26,23 @@ void Aero::setTensor(const Matrix3 &a) {
 
 Aero::Aero(const Matrix3 &a, const Vector3 &p, const Vector3 *wind) : Aero("Aero::Aero", a, p, wind) {}
 
+void Aero::setWater(const Water *sea, real depth) {
+    requirePositive(depth, "Aero::setWater", "fullDepth must be positive and finite");
+    water = sea;
+    fullDepth = depth;
+}
+
+real Aero::wettedPart(const Vector3 &point, real surfaceHeight) const {
+    return real_clamp((surfaceHeight - point.y) / fullDepth, 0, 1);
+}
+
+Vector3 Aero::getForceInWater(const Vector3 &flow, const RigidBody &body) const {
+    const Vector3 point = body.getPointInWorldSpace(position);
+    const Water::Motion motion = water->getMotion(point);
+    return getForceOf(flow - motion.velocity, body) * wettedPart(point, motion.height);
+}
+
+// As PointForce does, but here compilers see which getForce it is likely to be, and build it in.
 void Aero::updateForce(RigidBody *body, real) {
     body->addForceAtBodyPoint(getForce(*body), position);
     body->addResistance(tensorSize, rotationalFlow ? tensorSize * position.squareMagnitude() : 0);
@@ -34,7 +51,12 @@ void Aero::updateForce(RigidBody *body, real) {
 void Aero::addResistance(const RigidBody &body, Resistance &sum) const {
     Matrix3 turn;
     turn.setOrientation(body.getOrientation());
-    sum.add(turn * tensor * turn.transpose(), body.getDirectionInWorldSpace(position), rotationalFlow);
+    Matrix3 inWorld = turn * tensor * turn.transpose();
+    if (water != nullptr) {
+        const Vector3 point = body.getPointInWorldSpace(position);
+        inWorld *= wettedPart(point, water->getHeight(point));
+    }
+    sum.add(inWorld, body.getDirectionInWorldSpace(position), rotationalFlow);
 }
 
 AeroControl::AeroControl(const Matrix3 &atZero, const Matrix3 &atMinusOne, const Matrix3 &atOne,

@@ -25,8 +25,21 @@ void Thruster::setDirection(const Vector3 &bodyDirection) {
     direction = bodyDirection.unit();
 }
 
+void Thruster::setWater(const Water *sea, real r) {
+    requirePositive(r, "Thruster::setWater", "the radius must be positive and finite");
+    water = sea;
+    radius = r;
+}
+
+real Thruster::getPush(const RigidBody &body) const {
+    const real push = throttle * maxForce;
+    if (water == nullptr) return push;
+    const Vector3 point = body.getPointInWorldSpace(position);
+    return push * real_clamp((water->getHeight(point) + radius - point.y) / (2 * radius), 0, 1);
+}
+
 Vector3 Thruster::getForce(const RigidBody &body) const {
-    return body.getDirectionInWorldSpace(direction) * (throttle * maxForce);
+    return body.getDirectionInWorldSpace(direction) * getPush(body);
 }
 
 Propeller::Propeller(const Vector3 &push, const Vector3 &p, real force, real speed, const Vector3 *wind)
@@ -38,6 +51,7 @@ Vector3 Propeller::getForce(const RigidBody &body) const {
     Vector3 flow = body.getVelocity();
     if (windspeed != nullptr) flow += *windspeed;
     if (windField != nullptr) flow -= windField->getVelocity(body.getPointInWorldSpace(position));
+    if (water != nullptr) flow -= water->getVelocity(body.getPointInWorldSpace(position));
     const real advance =
         real_clamp(flow * body.getDirectionInWorldSpace(direction) / pitchSpeed, 0, REAL_MAX);
     return Thruster::getForce(body) * (1 - advance);
@@ -51,7 +65,7 @@ void Propeller::updateForce(RigidBody *body, real duration) {
 /// Backwards, too, where the push does not answer: one step may end in forward motion.
 void Propeller::addResistance(const RigidBody &body, Resistance &sum) const {
     const Vector3 push = body.getDirectionInWorldSpace(direction);
-    const Vector3 answer = push * (-throttle * maxForce / pitchSpeed);
+    const Vector3 answer = push * (-getPush(body) / pitchSpeed);
     sum.add(Matrix3(answer * push.x, answer * push.y, answer * push.z),
             body.getDirectionInWorldSpace(position), false);
 }

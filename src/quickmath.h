@@ -16,19 +16,12 @@ struct SineCosine {
 /// The nearest integer, for |x| < 2^51: adding 1.5·2^52 leaves no room for a fraction.
 inline real nearestInteger(real x) { return (x + 0x1.8p52) - 0x1.8p52; }
 
-/// real_clamp in two steps that both are always taken, as several lanes at once need it.
-inline real clampAlways(real x, real low, real high) {
-    const real raised = x < low ? low : x;
-    return raised > high ? high : raised;
-}
-
-/// For |angle| < 2^20; beyond, the error grows as that of the angle itself. Takes whole half turns off the
-/// angle, π in two parts (Cody and Waite 1980), of which the first has 33 bits, so that its multiples are
+/// For |angle| < 2^50; from 2^20 on, the error grows as that of the angle itself. Takes whole half turns off
+/// the angle, π in two parts (Cody and Waite 1980), of which the first has 33 bits, so that its multiples are
 /// exact; each half turn changes both signs. Then Taylor's series.
 inline SineCosine quickSineCosine(real angle) {
     const real n = nearestInteger(angle * (1 / REAL_PI));
-    const real x =
-        clampAlways((angle - n * 0x1.921fb544p+1) - n * 0x1.0b4611a626331p-33, -REAL_PI / 2, REAL_PI / 2);
+    const real x = (angle - n * 0x1.921fb544p+1) - n * 0x1.0b4611a626331p-33;
     const real odd = n - 2 * nearestInteger(0.5 * n);  // −1, 0 or 1
     const real sign = 1 - 2 * odd * odd;
 
@@ -43,9 +36,9 @@ inline SineCosine quickSineCosine(real angle) {
     return {sign * x * sine, sign * cosine};
 }
 
-/// e^x for x ≤ 0, as (e^{x/64})^64 with Taylor's series; below −40 it is e^−40, next to nothing.
+/// e^x for −40 ≤ x ≤ 0, as (e^{x/64})^64 with Taylor's series.
 inline real quickDecay(real x) {
-    const real r = clampAlways(x, -40, 0) * (1.0 / 64);
+    const real r = x * (1.0 / 64);
     const real r2 = r * r, r4 = r2 * r2;
     real power = ((1 + r) + r2 * (1.0 / 2 + r * (1.0 / 6))) +
                  r4 * (((1.0 / 24 + r * (1.0 / 120)) + r2 * (1.0 / 720 + r * (1.0 / 5040))) +

@@ -1,6 +1,7 @@
 #include <cyclone/water.h>
 
 #include "arguments.h"
+#include "compiler.h"
 #include "quickmath.h"
 
 namespace cyclone {
@@ -57,27 +58,36 @@ void Waves::setTime(real seconds) {
 
 namespace {
 
-/// Of each train at one point.
-struct Phases {
-    real sine[WaveBlock::LANES], cosine[WaveBlock::LANES];
-
-    Phases(const WaveBlock &block, const Vector3 &p) {
-        for (std::size_t n = 0; n < WaveBlock::LANES; ++n) {
-            const real along = block.towardsX[n] * p.x + block.towardsZ[n] * p.z;
-            const SineCosine phase = quickSineCosine(block.wavenumber[n] * along - block.phaseNow[n]);
-            sine[n] = phase.sine;
-            cosine[n] = phase.cosine;
-        }
-    }
+/// Sine and cosine of each train's θ = k·s − ω·t + phase, and its e^{kz}.
+struct WaveTerms {
+    real sine[WaveBlock::LANES], cosine[WaveBlock::LANES], decay[WaveBlock::LANES];
 };
+
+/// z is the height above the mean level. The last loop is without branches, for compilers to do all trains at
+/// once.
+CYCLONE_TARGET_CLONES void evaluate(const WaveBlock &block, const Vector3 &point, real z, WaveTerms &terms) {
+    real angle[WaveBlock::LANES], exponent[WaveBlock::LANES];
+    for (std::size_t n = 0; n < WaveBlock::LANES; ++n) {
+        const real along = block.towardsX[n] * point.x + block.towardsZ[n] * point.z;
+        angle[n] = real_clamp(block.wavenumber[n] * along - block.phaseNow[n], -0x1p49, 0x1p49);
+        exponent[n] = real_clamp(block.wavenumber[n] * z, -40, 0);
+    }
+    for (std::size_t n = 0; n < WaveBlock::LANES; ++n) {
+        const SineCosine theta = quickSineCosine(angle[n]);
+        terms.sine[n] = theta.sine;
+        terms.cosine[n] = theta.cosine;
+    }
+    for (std::size_t n = 0; n < WaveBlock::LANES; ++n) terms.decay[n] = quickDecay(exponent[n]);
+}
 
 }  // namespace
 
 real Waves::getHeight(const Vector3 &worldPoint) const {
+    WaveTerms terms;
     real height = meanHeight;
     for (const WaveBlock &block : blocks) {
-        const Phases phases(block, worldPoint);
-        for (std::size_t n = 0; n < WaveBlock::LANES; ++n) height += block.amplitude[n] * phases.sine[n];
+        evaluate(block, worldPoint, 0, terms);
+        for (std::size_t n = 0; n < WaveBlock::LANES; ++n) height += block.amplitude[n] * terms.sine[n];
     }
     return height;
 }
@@ -85,23 +95,21 @@ real Waves::getHeight(const Vector3 &worldPoint) const {
 // Of the potential −a·ω/k·e^{kz}·cos θ, θ = k·s − ω·t + phase: the velocity is a·ω·e^{kz}·(sin θ along s,
 // −cos θ up), and the acceleration, at a fixed point, −a·ω²·e^{kz}·(cos θ along s, sin θ up).
 Water::Motion Waves::getMotion(const Vector3 &worldPoint) const {
-    const real z = worldPoint.y - meanHeight;
-    Motion sum;
-    sum.height = meanHeight;
+    WaveTerms terms;
+    real height = meanHeight;
+    Vector3 velocity, acceleration;
     for (const WaveBlock &block : blocks) {
-        const Phases phases(block, worldPoint);
-        real speed[WaveBlock::LANES];
-        for (std::size_t n = 0; n < WaveBlock::LANES; ++n)
-            speed[n] = block.amplitude[n] * block.frequency[n] * quickDecay(block.wavenumber[n] * z);
+        evaluate(block, worldPoint, worldPoint.y - meanHeight, terms);
         for (std::size_t n = 0; n < WaveBlock::LANES; ++n) {
-            const real forwards = speed[n] * phases.sine[n], upwards = -speed[n] * phases.cosine[n];
-            sum.height += block.amplitude[n] * phases.sine[n];
-            sum.velocity += Vector3(block.towardsX[n] * forwards, upwards, block.towardsZ[n] * forwards);
-            sum.acceleration += Vector3(block.towardsX[n] * upwards, -forwards, block.towardsZ[n] * upwards) *
-                                block.frequency[n];
+            const real speed = block.amplitude[n] * block.frequency[n] * terms.decay[n];
+            const real forwards = speed * terms.sine[n], upwards = -speed * terms.cosine[n];
+            const Vector3 towards(block.towardsX[n], 0, block.towardsZ[n]);
+            height += block.amplitude[n] * terms.sine[n];
+            velocity += towards * forwards + Vector3::UP * upwards;
+            acceleration += (towards * upwards - Vector3::UP * forwards) * block.frequency[n];
         }
     }
-    return sum;
+    return {height, velocity, acceleration};
 }
 
 Vector3 Waves::getVelocity(const Vector3 &worldPoint) const { return getMotion(worldPoint).velocity; }
@@ -109,11 +117,12 @@ Vector3 Waves::getVelocity(const Vector3 &worldPoint) const { return getMotion(w
 Vector3 Waves::getAcceleration(const Vector3 &worldPoint) const { return getMotion(worldPoint).acceleration; }
 
 Vector3 Waves::getNormal(const Vector3 &worldPoint) const {
+    WaveTerms terms;
     Vector3 normal = Vector3::UP;
     for (const WaveBlock &block : blocks) {
-        const Phases phases(block, worldPoint);
+        evaluate(block, worldPoint, 0, terms);
         for (std::size_t n = 0; n < WaveBlock::LANES; ++n) {
-            const real slope = block.amplitude[n] * block.wavenumber[n] * phases.cosine[n];
+            const real slope = block.amplitude[n] * block.wavenumber[n] * terms.cosine[n];
             normal -= Vector3(block.towardsX[n], 0, block.towardsZ[n]) * slope;
         }
     }

@@ -263,6 +263,10 @@ const BadCall SURFACES[] = {
      [](Scene &s) { s.sail.setOrientation(Quaternion(1, NANQ, 0, 0)); }},
     {"AngledAero::setOrientation", "finite", "(1, 0, 0, inf)",
      [](Scene &s) { s.sail.setOrientation(Quaternion(1, 0, 0, INF)); }},
+    {"Aero::setWater", "fullDepth must be positive", "0", [](Scene &s) { s.sail.setWater(&s.waves, 0); }},
+    {"Aero::setWater", "fullDepth must be positive", "nan",
+     [](Scene &s) { s.sail.setWater(&s.waves, NANQ); }},
+    {"Aero::setWater", "fullDepth must be positive", "-1", [](Scene &s) { s.sail.setWater(nullptr, -1); }},
 };
 
 const BadCall WATER[] = {
@@ -292,6 +296,13 @@ const BadCall WATER[] = {
     {"Waves::addTrain", "direction", "nan", [](Scene &s) { s.waves.addTrain(train(1, 1, NANQ, 0)); }},
     {"Waves::addTrain", "phase", "inf", [](Scene &s) { s.waves.addTrain(train(1, 1, 0, INF)); }},
     {"Waves::setTime", "finite", "nan", [](Scene &s) { s.waves.setTime(NANQ); }},
+    {"HullDrag::HullDrag", "not be null", "", [](Scene &) { HullDrag d(nullptr, P, P, P); }},
+    {"HullDrag::HullDrag", "position", "(1, nan, 3)", [](Scene &s) { HullDrag d(&s.hull, POINT_NAN, P, P); }},
+    {"HullDrag::HullDrag", "linear must be", "-1",
+     [](Scene &s) { HullDrag d(&s.hull, P, Vector3(0, -1, 0), P); }},
+    {"HullDrag::HullDrag", "linear must be", "nan", [](Scene &s) { HullDrag d(&s.hull, P, POINT_NAN, P); }},
+    {"HullDrag::HullDrag", "quadratic must be", "-inf",
+     [](Scene &s) { HullDrag d(&s.hull, P, P, POINT_INF); }},
 };
 
 const BadCall PROPULSION[] = {
@@ -304,6 +315,9 @@ const BadCall PROPULSION[] = {
     {"Thruster::setThrottle", "finite", "-inf", [](Scene &s) { s.engine.setThrottle(-INF); }},
     {"Thruster::setDirection", "not zero", "(0, 0, 0)", [](Scene &s) { s.engine.setDirection(Vector3()); }},
     {"Thruster::setDirection", "finite", "(1, 2, -inf)", [](Scene &s) { s.engine.setDirection(POINT_INF); }},
+    {"Thruster::setWater", "radius must be positive", "0", [](Scene &s) { s.engine.setWater(&s.waves, 0); }},
+    {"Thruster::setWater", "radius must be positive", "inf",
+     [](Scene &s) { s.engine.setWater(&s.waves, INF); }},
     {"Propeller::Propeller", "positive", "0", [](Scene &) { Propeller p(P, P, 1, 0, nullptr); }},
     {"Propeller::Propeller", "positive", "-1", [](Scene &) { Propeller p(P, P, 1, -1, nullptr); }},
     {"Propeller::Propeller", "finite", "inf", [](Scene &) { Propeller p(P, P, 1, INF, nullptr); }},

@@ -233,6 +233,7 @@ struct Everything {
     AeroControl control{tensor, tensor, tensor * 2, point, &wind};
     AngledAero angled{tensor, point, &wind};
     Buoyancy buoyancy{point, 1, 0.1, 2};
+    HullDrag hullDrag{&buoyancy, point, Vector3(1, 2, 3), Vector3(4, 5, 6)};
     Thruster thruster{Vector3(1, 2, 3), point, 50};
     Propeller propeller{Vector3(1, 2, 3), point, 50, 20, &wind};
 
@@ -245,7 +246,7 @@ struct Everything {
     }
     std::vector<PointForce *> list() {
         return {&gravity, &drag,   &spring,   &bungee,   &anchored, &aero,
-                &control, &angled, &buoyancy, &thruster, &propeller};
+                &control, &angled, &buoyancy, &hullDrag, &thruster, &propeller};
     }
 };
 

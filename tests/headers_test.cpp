@@ -46,6 +46,7 @@ TEST(Headers, UmbrellaHoldsEverything) {
     cyclone::AngledAero angled(tensor, Vector3(), nullptr);
     cyclone::Wing wing(1, 1, Vector3(), nullptr);
     cyclone::Buoyancy buoyancy(Vector3(), 1, 1, -5);
+    cyclone::HullDrag hullDrag(&buoyancy, Vector3(), Vector3(), Vector3());
     cyclone::Thruster thruster(Vector3::X, Vector3(), 1);
     cyclone::Propeller propeller(Vector3::X, Vector3(), 1, 1, nullptr);
     const cyclone::WindGradient gradient(Vector3(), 1);
@@ -58,8 +59,8 @@ TEST(Headers, UmbrellaHoldsEverything) {
     drag.setWind(&air);
     aero.setWind(&air);
     propeller.setWind(&air);
-    cyclone::ForceGenerator *all[] = {&gravity, &drag,   &spring, &bungee,   &anchored, &aero,
-                                      &control, &angled, &wing,   &buoyancy, &thruster, &propeller};
+    cyclone::ForceGenerator *all[] = {&gravity, &drag, &spring,   &bungee,   &anchored, &aero,     &control,
+                                      &angled,  &wing, &buoyancy, &hullDrag, &thruster, &propeller};
     for (cyclone::ForceGenerator *force : all) world.getForceRegistry().add(body, force);
     world.startFrame();
     world.runPhysics(0.1);

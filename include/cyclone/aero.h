@@ -8,6 +8,7 @@
 /// current past a keel is the same. Tensors are in body axes; drag is a negative diagonal, lift an entry off
 /// the diagonal.
 #include <cyclone/force.h>
+#include <cyclone/water.h>
 #include <cyclone/wind.h>
 
 namespace cyclone {
@@ -29,6 +30,12 @@ public:
     /// the velocity + windspeed − the field's. It must live as long as the surface acts; null is none.
     void setWind(const WindField *field) { windField = field; }
 
+    /// Puts the surface into water: a keel, a rudder, a hydrofoil, the bottom of a planing boat. The flow is
+    /// that past the water where the surface is, and the force is multiplied by clamp(depth/fullDepth, 0, 1):
+    /// out of the water it does nothing. fullDepth in m, positive. The water must live as long as the surface
+    /// acts; null is none.
+    void setWater(const Water *sea, real fullDepth);
+
     /// The tensor in use now, body coordinates.
     const Matrix3 &getTensor() const { return tensor; }
 
@@ -37,7 +44,7 @@ public:
         if (windspeed != nullptr) flow += *windspeed;
         if (windField != nullptr) flow -= windField->getVelocity(body.getPointInWorldSpace(position));
         if (rotationalFlow) flow += body.getRotation() % body.getDirectionInWorldSpace(position);
-        return body.getDirectionInWorldSpace(tensor * body.getDirectionInLocalSpace(flow));
+        return water == nullptr ? getForceOf(flow, body) : getForceInWater(flow, body);
     }
     void updateForce(RigidBody *body, real duration) override;
     void addResistance(const RigidBody &body, Resistance &sum) const override;
@@ -51,7 +58,16 @@ protected:
     real tensorSize;  ///< at least the tensor's norm
     const Vector3 *windspeed;
     const WindField *windField = nullptr;
+    const Water *water = nullptr;
+    real fullDepth = 1;
     bool rotationalFlow = false;
+
+private:
+    Vector3 getForceOf(const Vector3 &flow, const RigidBody &body) const {
+        return body.getDirectionInWorldSpace(tensor * body.getDirectionInLocalSpace(flow));
+    }
+    Vector3 getForceInWater(const Vector3 &flow, const RigidBody &body) const;
+    real wettedPart(const Vector3 &point, real surfaceHeight) const;
 };
 
 /// A surface with a control, such as a wing with a flap: the tensor is `min` at control −1, `base` at 0,

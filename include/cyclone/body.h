@@ -144,6 +144,8 @@ public:
     }
     /// World coordinates, N·m.
     void addTorque(const Vector3 &torque) { addWrench(Vector3(), torque); }
+    /// Both at once.
+    void addWrench(const Wrench &wrench) { addWrench(wrench.force, wrench.torque); }
     /// For a generator, beside the force that it adds: the most by which its force answers to velocity
     /// (N·s/m) and its torque to rotation (N·m·s). Where all of it together is too strong for an explicit
     /// step, the registry makes the step implicit, see ForceGenerator::addResistance.

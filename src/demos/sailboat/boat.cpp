@@ -65,13 +65,11 @@ Buoyancy makeHull(unsigned halfHull) {
                     Catamaran::HALF_HULL_VOLUME, 0);
 }
 
-HullResistance makeResistance(const Buoyancy *hull, unsigned halfHull) {
+cyclone::HullDrag makeDrag(const Buoyancy *hull, unsigned halfHull) {
     Vector3 centre = Catamaran::getHullCentre(halfHull);
     centre.x *= RESISTANCE_INWARDS;
-    return HullResistance(hull, centre, HULL_LINEAR, HULL_QUADRATIC);
+    return cyclone::HullDrag(hull, centre, HULL_LINEAR, HULL_QUADRATIC);
 }
-
-real resist(real u, real linear, real quadratic) { return -(linear + quadratic * cyclone::real_abs(u)) * u; }
 
 }  // namespace
 
@@ -82,29 +80,13 @@ real wrapAngle(real angle) {
 
 real bearing(const Vector3 &v) { return cyclone::real_atan2(v.z, v.x); }
 
-HullResistance::HullResistance(const Buoyancy *h, const Vector3 &point, const Vector3 &k1, const Vector3 &k2)
-    : hull(h), centre(point), linear(k1), quadratic(k2) {}
-
-Vector3 HullResistance::getForce(const RigidBody &body) const {
-    const Vector3 flow = body.getVelocity() + body.getRotation() % body.getDirectionInWorldSpace(centre);
-    const Vector3 u = body.getDirectionInLocalSpace(flow);
-    const Vector3 force(resist(u.x, linear.x, quadratic.x), resist(u.y, linear.y, quadratic.y),
-                        resist(u.z, linear.z, quadratic.z));
-    return body.getDirectionInWorldSpace(force) * hull->getSubmersion(body);
-}
-
-void HullResistance::updateForce(RigidBody *body, real) {
-    body->addForceAtBodyPoint(getForce(*body), centre);
-}
-
 Catamaran::Catamaran(cyclone::World &w, const Vector3 *wind, const cyclone::Water *surface)
     : world(w),
       windspeed(wind),
       water(surface),
       body(makeBody()),
       hulls{makeHull(0), makeHull(1), makeHull(2), makeHull(3)},
-      resistances{makeResistance(&hulls[0], 0), makeResistance(&hulls[1], 1), makeResistance(&hulls[2], 2),
-                  makeResistance(&hulls[3], 3)},
+      drags{makeDrag(&hulls[0], 0), makeDrag(&hulls[1], 1), makeDrag(&hulls[2], 2), makeDrag(&hulls[3], 3)},
       sail(SAIL, SAIL_CENTRE, wind),
       rudder(RUDDER, RUDDER_CENTRE, nullptr) {
     world.addBody(&body);
@@ -113,7 +95,7 @@ Catamaran::Catamaran(cyclone::World &w, const Vector3 *wind, const cyclone::Wate
         hull.setWater(water);
         forces.add(&body, &hull);
     }
-    for (HullResistance &resistance : resistances) forces.add(&body, &resistance);
+    for (cyclone::HullDrag &drag : drags) forces.add(&body, &drag);
     for (AngledAero *surfaceOf : {&sail, &rudder}) {
         surfaceOf->setRotationalFlow(true);
         forces.add(&body, surfaceOf);

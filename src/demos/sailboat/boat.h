@@ -22,32 +22,6 @@ real wrapAngle(real angle);
 /// The compass direction of a vector in the world: 0 is north, π/2 east.
 real bearing(const Vector3 &worldDirection);
 
-/// How the water resists a part of a hull that moves through it: along each body axis
-///
-///     force = −submersion·(linear·u + quadratic·|u|·u),
-///
-/// with u the part's velocity through the water, its turning included. Along the hull the quadratic term is
-/// friction and wave making at speed; sideways a hull is a wall; and what it spends up and down on making
-/// waves is what ends heaving, rolling and pitching. The waves' own motion under way is left out.
-class HullResistance : public cyclone::ForceGenerator {
-public:
-    /// Acts at `centre`, body coordinates, as far as `hull` is under water. `linear` in N·s/m and `quadratic`
-    /// in N·s²/m², one for each body axis, wholly under water. `hull` must live as long as the resistance
-    /// acts.
-    HullResistance(const cyclone::Buoyancy *hull, const Vector3 &centre, const Vector3 &linear,
-                   const Vector3 &quadratic);
-
-    /// The force on the body as it moves now, N, world coordinates.
-    Vector3 getForce(const cyclone::RigidBody &body) const;
-
-    void updateForce(cyclone::RigidBody *body, real duration) override;
-    bool actsOnItsBodyOnly() const override { return true; }
-
-private:
-    const cyclone::Buoyancy *hull;
-    Vector3 centre, linear, quadratic;
-};
-
 /// The boat, in a world. Its designer's numbers:
 ///
 /// - Four half hulls of 0.22 m³ each, 0.8 m deep, carry 355 kg: they are 40 % under water, and the middle of
@@ -121,7 +95,7 @@ private:
     const cyclone::Water *water;
     cyclone::RigidBody body;
     std::array<cyclone::Buoyancy, 4> hulls;
-    std::array<HullResistance, 4> resistances;
+    std::array<cyclone::HullDrag, 4> drags;
     cyclone::AngledAero sail, rudder;
     real rudderAngle = 0, sailAngle = 0;
 };

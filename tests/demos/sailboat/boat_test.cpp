@@ -215,33 +215,6 @@ TEST(Boat, CapsizesWhereItsCentreOfMassPassesOverTheHull) {
     }
 }
 
-// ---- Resistance
-
-TEST(HullResistance, FollowsItsLaw) {
-    cyclone::RigidBody body;
-    const cyclone::Buoyancy halfUnder(Vector3(), 1, 1, 0);
-    const sailboat::HullResistance resistance(&halfUnder, Vector3(2, 0, 0), Vector3(3, 5, 7),
-                                              Vector3(1, 2, 4));
-    body.setVelocity(2, -1, 3);
-    EXPECT_EQ(resistance.getForce(body), Vector3(-0.5 * (3 + 2) * 2, 0.5 * (5 + 2), -0.5 * (7 + 12) * 3));
-    body.setVelocity(0, 0, 0);
-    body.setRotation(0, 1, 0);  // carries a point on +X towards −Z
-    EXPECT_EQ(resistance.getForce(body), Vector3(0, 0, 0.5 * (7 + 8) * 2));
-    body.setPosition(0, 1, 0);
-    EXPECT_EQ(resistance.getForce(body), Vector3());
-}
-
-TEST(HullResistance, TakesEnergyAndNeverGivesAny) {
-    cyclone::RigidBody body;
-    const cyclone::Buoyancy under(Vector3(), 1, 1, 5);
-    const sailboat::HullResistance resistance(&under, Vector3(), Vector3(3, 5, 7), Vector3(1, 2, 4));
-    body.setOrientation(0.3, -0.5, 0.7, 0.2);
-    for (const Vector3 &velocity : {Vector3(1, 2, 3), Vector3(-4, 0.1, 2), Vector3(0, -3, -0.5)}) {
-        body.setVelocity(velocity);
-        EXPECT_LT(resistance.getForce(body) * velocity, 0);
-    }
-}
-
 // ---- Under sail
 
 TEST(Boat, SailDrivesMostWhenItBisectsTheWindAndTheStern) {
