@@ -123,6 +123,12 @@ real ElasticForce::getPairDamping(const RigidBody &body, const Vector3 &directio
     return near > 0 ? damping * (1 + getFarInverseMass(body, direction) / near) : 0;
 }
 
+real ElasticForce::getLongestStep(const RigidBody &body) const {
+    const Vector3 direction = getLine(body).separation.unit();
+    const real near = inverseMassAt(body, body.getPointInWorldSpace(getPointOn(body)), direction);
+    return 2 / real_sqrt(springConstant * (near + getFarInverseMass(body, direction)));
+}
+
 void ElasticForce::updateForce(RigidBody *body, real duration) {
     PointForce::updateForce(body, duration);
     if (damping == 0) return;

@@ -34,7 +34,6 @@ struct Vector6 {
     Vector3 first() const { return Vector3(data[0], data[1], data[2]); }
     Vector3 second() const { return Vector3(data[3], data[4], data[5]); }
     real squareMagnitude() const { return first().squareMagnitude() + second().squareMagnitude(); }
-    bool isFinite() const { return first().isFinite() && second().isFinite(); }
 };
 
 Vector6 operator+(const Vector6 &a, const Vector6 &b) {
@@ -154,6 +153,45 @@ private:
     Matrix6 matrix;
 };
 
+/// Coordinates in which linear and angular momentum weigh alike, and a resistance that is symmetric stays so:
+/// force along world axes and torque along principal axes, divided by √mass and √moment. A locked axis has
+/// neither.
+class Scale {
+public:
+    Scale(real rootMass, const Matrix3 &principalAxes, const Vector3 &inverseMoments)
+        : axes(principalAxes),
+          factors(Vector3(1, 1, 1) * (1 / rootMass),
+                  Vector3(real_sqrt(inverseMoments.x), real_sqrt(inverseMoments.y),
+                          real_sqrt(inverseMoments.z))) {}
+
+    Vector6 scaled(const Wrench &wrench) const {
+        Vector6 result(wrench.force, axes.transformTranspose(wrench.torque));
+        for (int n = 0; n < 6; ++n) result.data[n] *= factors.data[n];
+        return result;
+    }
+    Wrench unscaled(const Vector6 &v) const {
+        Vector6 result;
+        for (int n = 0; n < 6; ++n) result.data[n] = factors.data[n] > 0 ? v.data[n] / factors.data[n] : 0;
+        return {result.first(), axes * result.second()};
+    }
+    /// Scaled by the step's length as well, and positive where it resists.
+    Matrix6 scaled(const Resistance &resistance, real duration) const {
+        const Matrix3 toAxes = axes.transpose();
+        Matrix6 b;
+        b.setBlock(0, 0, resistance.forceByVelocity);
+        b.setBlock(0, 3, resistance.forceByRotation * axes);
+        b.setBlock(3, 0, toAxes * resistance.torqueByVelocity);
+        b.setBlock(3, 3, toAxes * resistance.torqueByRotation * axes);
+        for (int i = 0; i < 6; ++i)
+            for (int j = 0; j < 6; ++j) b.data[i][j] *= -duration * factors.data[i] * factors.data[j];
+        return b;
+    }
+
+private:
+    Matrix3 axes;
+    Vector6 factors;
+};
+
 Vector6 between(const Vector6 &a, const Vector6 &b, real prop) { return a * (1 - prop) + b * prop; }
 
 }  // namespace
@@ -169,53 +207,30 @@ Vector6 between(const Vector6 &a, const Vector6 &b, real prop) { return a * (1 -
 /// acceleration a only K³·a stays one of generators, with a closing kick of its own, which then never turns
 /// the reported motion round; the rest is added plainly. Along directions in which B is 0 all of this is the
 /// explicit step.
-///
-/// Coordinates: force along world axes and torque along principal axes, divided by √mass and √moment, in
-/// which B is symmetric where the resistance is. A locked axis has neither.
 void RigidBody::resist(const Resistance &sum, real duration) {
     if (!hasFiniteMass()) return;
-    const Matrix3 axes = getPrincipalAxesInWorld(), toAxes = axes.transpose();
     const real rootMass = real_sqrt(mass);
-    const Vector6 scale(
-        Vector3(1, 1, 1) * (1 / rootMass),
-        Vector3(real_sqrt(inverseInertia.x), real_sqrt(inverseInertia.y), real_sqrt(inverseInertia.z)));
-    const auto scaled = [&](const Wrench &wrench) {
-        Vector6 result(wrench.force, toAxes * wrench.torque);
-        for (int n = 0; n < 6; ++n) result.data[n] *= scale.data[n];
-        return result;
-    };
-    const auto unscaled = [&](const Vector6 &v) {
-        Vector6 result;
-        for (int n = 0; n < 6; ++n) result.data[n] = scale.data[n] > 0 ? v.data[n] / scale.data[n] : 0;
-        return Wrench{result.first(), axes * result.second()};
-    };
-
-    Matrix6 b;
-    b.setBlock(0, 0, sum.forceByVelocity);
-    b.setBlock(0, 3, sum.forceByRotation * axes);
-    b.setBlock(3, 0, toAxes * sum.torqueByVelocity);
-    b.setBlock(3, 3, toAxes * sum.torqueByRotation * axes);
-    for (int i = 0; i < 6; ++i)
-        for (int j = 0; j < 6; ++j) b.data[i][j] *= -duration * scale.data[i] * scale.data[j];
+    const Scale scale(rootMass, getPrincipalAxesInWorld(), inverseInertia);
+    const Matrix6 b = scale.scaled(sum, duration);
     const real stiffness = spectralRadius(b);
     if (!(stiffness > EXPLICIT_LIMIT)) return;
 
     const Vector6 constant(acceleration * rootMass, Vector3());
-    const Vector6 acts = scaled(generated) + constant, plain = scaled(added);
+    const Vector6 acts = scale.scaled(generated) + constant, plain = scale.scaled(added);
     const Vector6 closingKick =
-        scaled({memory.acceleration * (mass * memory.linearKick), memory.torque * memory.angularKick});
-    const auto whole = [&](const Vector6 &v) {
-        const real linear = memory.linearKick + duration / 2, angular = memory.angularKick + duration / 2;
-        return Vector6(v.first() * linear, v.second() * angular);
+        scale.scaled({memory.acceleration * (mass * memory.linearKick), memory.torque * memory.angularKick});
+    const auto overWholeStep = [&](const Vector6 &v) {
+        return Vector6(v.first() * (memory.linearKick + duration / 2),
+                       v.second() * (memory.angularKick + duration / 2));
     };
     const Decay decay(b);
-    const Vector6 kick = decay.kick(whole(acts) + plain * duration + b * closingKick);
+    const Vector6 kick = decay.kick(overWholeStep(acts) + plain * duration + b * closingKick);
     const Vector6 lasting = decay * (decay * (decay * acts));
-    const Vector6 rest = (kick - whole(lasting)) * (1 / duration);
+    const Vector6 rest = (kick - overWholeStep(lasting)) * (1 / duration);
 
     const real blend = std::min<real>(stiffness / EXPLICIT_LIMIT - 1, 1);
-    generated = unscaled(between(acts, lasting, blend) - constant);
-    added = unscaled(between(plain, rest, blend));
+    generated = scale.unscaled(between(acts, lasting, blend) - constant);
+    added = scale.unscaled(between(plain, rest, blend));
     hasAdded = hasGenerated = true;
 }
 

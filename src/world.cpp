@@ -194,6 +194,7 @@ private:
             if (body == nullptr) continue;
             body->generated = Wrench();
             body->hasGenerated = false;
+            body->resistance = 0;
         }
     }
 

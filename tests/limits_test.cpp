@@ -221,6 +221,24 @@ TEST(Limits, SpringsHoldUpToTwoOverOmega) {
     EXPECT_FALSE(holds(10, constantFor(2.05, ofTen), kilograms));
 }
 
+TEST(Limits, ASpringSaysWhatStepItBears) {
+    RigidBody light, heavy;
+    heavy.setMass(4);
+    heavy.setInertiaTensor(diagonal(2, 2, 2));
+    heavy.setPosition(5, 0, 0);
+    Spring spring(&light, Vector3(), &heavy, Vector3(0, 3, 0), 100, 1);
+    // The line is along (5, 3, 0): 1/m + (r × n)²/I of the far end, with r = (0, 3, 0).
+    const real lever = 3 * 5 / std::sqrt(34.0);
+    const real omega = std::sqrt(100 * (1 + 0.25 + lever * lever / 2));
+    EXPECT_NEAR(spring.getLongestStep(light), 2 / omega, 1e-12);
+    EXPECT_NEAR(spring.getLongestStep(heavy), 2 / omega, 1e-12);
+    AnchoredSpring anchored(Vector3(), Vector3(1, 0, 0), 100, 1);
+    EXPECT_NEAR(anchored.getLongestStep(heavy), 2 / std::sqrt(25.0), 1e-12);
+    heavy.setInverseMass(0);
+    EXPECT_EQ(anchored.getLongestStep(heavy), PLUS_INFINITY);
+    EXPECT_NEAR(spring.getLongestStep(light), 0.2, 1e-12);
+}
+
 /// An explicit step has z + (ω·h/2)² < 1 for resistance and spring together; an implicit one any resistance.
 TEST(Limits, SpringsShareTheStepWithWeakResistance) {
     const real omegaSteps = 1.5;

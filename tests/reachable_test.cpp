@@ -6,7 +6,7 @@
 #include <stdexcept>
 #include <vector>
 
-#include "support/random.h"
+#include "random.h"
 
 using namespace cyclone;
 using namespace cyclone_test;

@@ -54,7 +54,8 @@ public:
     /// generators; beside a spring, to z < 1 − (ω·duration/2)².
     ///
     /// Called after all generators of a body, and only if what they told RigidBody::addResistance may be too
-    /// strong for an explicit step. To tell more than is true is safe: the motion ends the same, only later.
+    /// strong for an explicit step; it must not throw. To tell more than is true is safe: the motion ends the
+    /// same, only later.
     virtual void addResistance(const RigidBody &body, Resistance &sum) const;
 
 protected:
@@ -215,9 +216,8 @@ private:
 ///
 ///     T = k·(|d| − L) + c·d|d|/dt
 ///
-/// Stretched it pulls, compressed it pushes; at zero length there is no force. A step is stable while
-/// duration < 2/√(k/m), with 1/m the sum of the inverse masses of both ends. The damping may be as strong as
-/// it likes, see ForceGenerator::addResistance.
+/// Stretched it pulls, compressed it pushes; at zero length there is no force. The step must be shorter than
+/// 2/ω, see getLongestStep(); the damping may be as strong as it likes, see ForceGenerator::addResistance.
 class CYCLONE_API ElasticForce : public PointForce {
 public:
     /// k, N/m; finite and not negative.
@@ -233,6 +233,10 @@ public:
     /// As it is stretched between the body and the far end now: |d|, m, and T, N.
     real getLength(const RigidBody &body) const { return getLine(body).separation.magnitude(); }
     real getTension(const RigidBody &body) const { return tensionOf(getLine(body)); }
+    /// The longest step that this force bears on the body by itself, s: 2/ω with ω² = k·(w + w'), where w and
+    /// w' say how much both ends answer to an impulse along the line, 1/kg; infinite where nothing swings.
+    /// Where a body has several, their ω² add up at most; of a long chain it is 4·k/m.
+    real getLongestStep(const RigidBody &body) const;
     Vector3 getForce(const RigidBody &body) const override;
 
     void updateForce(RigidBody *body, real duration) override;

@@ -58,8 +58,10 @@ public:
             expect(real_abs(state.orientation.squareMagnitude() - 1) < 1e-12, "orientations are unit");
             expect(body->getTransform().getAxisVector(3) == state.position, "transforms are current");
         }
-        for (const RigidBody *body : world.getFaultedBodies())
-            expect(body->hasFaulted() || body->getAwake(), "what is listed has faulted");
+        for (const RigidBody *body : world.getFaultedBodies()) {
+            const World::RigidBodies &bodies = world.getBodies();
+            expect(std::find(bodies.begin(), bodies.end(), body) != bodies.end(), "what is listed is there");
+        }
     }
     std::uint64_t hash() const { return world.hash(); }
 
@@ -189,6 +191,7 @@ private:
             case 1: {
                 Aero &aero = world.createForce<Aero>(&its, input.matrix(), input.vector(), wind);
                 aero.setWind(field);
+                if (input.flag()) aero.setWater(&waves, input.number());
                 return aero.setRotationalFlow(input.flag());
             }
             case 2:
@@ -212,7 +215,7 @@ private:
 
     void callEngines(RigidBody &its, Input &input) {
         const Vector3 *const wind = input.flag() ? &windspeed : nullptr;
-        switch (input.below(4)) {
+        switch (input.below(5)) {
             case 0:
                 return world
                     .createForce<Buoyancy>(&its, input.vector(), input.number(), input.number(),
@@ -226,6 +229,9 @@ private:
                     .createForce<Propeller>(&its, input.vector(), input.vector(), input.number(),
                                             input.number(), wind)
                     .setThrottle(input.number());
+            case 3:
+                world.createForce<HullDrag>(&its, &hull, input.vector(), input.vector(), input.vector());
+                return;
             default:
                 world.createForce<Gravity>(&its, input.vector());
         }
@@ -291,6 +297,7 @@ private:
     WindSum air;
     Waves waves;
     Drag drag{0.1, 0.2};
+    Buoyancy hull{Vector3(0, -1, 0), 0.5, 0.2, 0};
     AnchoredSpring anchored{Vector3(), Vector3(1, 2, 3), 10, 1};
     RigidBody own[2];
     Snapshot saved;
