@@ -23,9 +23,11 @@ public:
     void set(const void *address, std::uint64_t number);
     void erase(const void *address);
     void clear();
-    /// Takes over what the other holds, without allocating if reserve(other.size()) has been called.
+    /// Takes over what the other holds, without allocating if reserve(other.capacity()) has been called.
     void assign(const AddressMap &other);
     std::size_t size() const { return used; }
+    /// How many addresses there is room for.
+    std::size_t capacity() const { return 2 * slots.size() / 3; }
 
 private:
     struct Slot {

@@ -43,9 +43,11 @@ namespace {
 Vector3 reciprocals(const Vector3 &v) { return Vector3(1 / v.x, 1 / v.y, 1 / v.z); }
 
 std::uint8_t axisOfIntermediateValue(const Vector3 &v) {
-    if ((v.x <= v.y) == (v.y <= v.z)) return 1;
-    if ((v.y <= v.x) == (v.x <= v.z)) return 0;
-    return 2;
+    const auto isBetween = [](real value, real a, real b) {
+        return (a <= value && value <= b) || (b <= value && value <= a);
+    };
+    if (isBetween(v.y, v.x, v.z)) return 1;
+    return isBetween(v.x, v.y, v.z) ? 0 : 2;
 }
 
 Matrix3 rotationMatrix(const Quaternion &q) {
@@ -62,7 +64,7 @@ void RigidBody::setPrincipalInertia(const Matrix3 &tensor, bool isInverse, const
 
     Vector3 values;
     Quaternion axes;
-    findPrincipalAxes((tensor + tensor.transpose()) * 0.5, values, axes);
+    findPrincipalAxes(symmetricPart(tensor), values, axes);
     const real rounding = 16 * REAL_EPSILON * std::max({values.x, values.y, values.z});
     if (isInverse) {
         requireMatrix(std::min({values.x, values.y, values.z}) >= (axes == Quaternion() ? 0 : -rounding),
@@ -77,6 +79,8 @@ void RigidBody::setPrincipalInertia(const Matrix3 &tensor, bool isInverse, const
 
     RigidBody changed = *this;
     changed.inertia = isInverse ? reciprocals(values) : values;
+    requireMatrix(areBearable(changed.inertia), function,
+                  "the moments must be between 1e-100 and 1e100 kg·m², and none 1e12 times another", tensor);
     changed.setPrincipalFrame(isInverse ? values : reciprocals(values), axes);
     if (hasFiniteMass()) changed.angularMomentum = changed.angularMomentumFor(rotation, orientation);
     requireMatrix(changed.angularMomentum.isFinite(), function, "the angular momentum must stay finite",

@@ -11,10 +11,19 @@
 #define CYCLONE_INLINE inline
 #endif
 
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+#define CYCLONE_SANITIZED 1
+#elif defined(__has_feature)
+#define CYCLONE_SANITIZED \
+    (__has_feature(address_sanitizer) || __has_feature(thread_sanitizer) || __has_feature(memory_sanitizer))
+#else
+#define CYCLONE_SANITIZED 0
+#endif
+
 /// Compiles a function for several processors; the loader picks the widest version that this one has. None of
 /// them fuses or reorders operations. Sanitizers run before the loader has chosen, and do without.
 #if defined(__x86_64__) && defined(__GLIBC__) && defined(__has_attribute) && !defined(__AVX2__) && \
-    !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
+    !CYCLONE_SANITIZED
 #if __has_attribute(target_clones)
 #define CYCLONE_TARGET_CLONES __attribute__((target_clones("default", "avx2")))
 #endif
@@ -30,7 +39,7 @@ namespace detail {
 constexpr std::size_t PREFETCH_AHEAD = 12;
 
 /// Asks the processor to have these bytes ready soon.
-inline void prefetch(const void *start, std::size_t size) {
+CYCLONE_INLINE void prefetch(const void *start, std::size_t size) {
 #ifdef __GNUC__
     constexpr std::size_t CACHE_LINE = 64;
     for (std::size_t n = 0; n < size; n += CACHE_LINE)

@@ -18,9 +18,21 @@ FixedStep::FixedStep(real length, real maxTime) : step(length), maxElapsed(maxTi
 
 unsigned FixedStep::advance(real elapsed) {
     requireNotNegative(elapsed, "FixedStep::advance", "the elapsed time must be finite and not negative");
-    const real owed = std::min(remainder + elapsed, maxElapsed);
+    const real slack = SLACK * step, owed = std::min(remainder + elapsed, maxElapsed);
+    const real whole = std::floor(elapsed / step + 0.5), left = owed - whole * step;
+    const bool isNearWhole = whole >= 1 && real_abs(elapsed - whole * step) <= slack;
+    if (isNearWhole && left >= -slack && left < step + slack) {
+        remainder = left;
+        return static_cast<unsigned>(whole);
+    }
+    if (owed < 0) {
+        remainder = owed;
+        return 0;
+    }
     remainder = std::fmod(owed, step);  // exact, so no time is lost or gained here
     return static_cast<unsigned>((owed - remainder) / step + 0.5);
 }
+
+real FixedStep::getFraction() const { return real_clamp(remainder / step, 0, 1 - REAL_EPSILON); }
 
 }  // namespace cyclone

@@ -105,6 +105,38 @@ Vector3 ElasticForce::getForce(const RigidBody &body) const {
     return line.separation * (-tensionOf(line) / length);
 }
 
+namespace {
+
+/// How much the velocity of a point of the body, along a unit vector, answers to an impulse along it, 1/kg.
+real inverseMassAt(const RigidBody &body, const Vector3 &worldPoint, const Vector3 &direction) {
+    if (!body.hasFiniteMass()) return 0;
+    const Vector3 turning = (worldPoint - body.getPosition()) % direction;
+    return body.getInverseMass() + turning * (body.getInverseInertiaTensorWorld() * turning);
+}
+
+}  // namespace
+
+/// What resists the body's own motion as much as c does that of both ends, of which it makes only a part:
+/// c·(w + w_far)/w, with w their inverse masses along the line.
+real ElasticForce::getPairDamping(const RigidBody &body, const Vector3 &direction) const {
+    const real near = inverseMassAt(body, body.getPointInWorldSpace(getPointOn(body)), direction);
+    return near > 0 ? damping * (1 + getFarInverseMass(body, direction) / near) : 0;
+}
+
+void ElasticForce::updateForce(RigidBody *body, real duration) {
+    PointForce::updateForce(body, duration);
+    if (damping == 0) return;
+    const real most = getPairDamping(*body, getLine(*body).separation.unit());
+    body->addResistance(most, most * getPointOn(*body).squareMagnitude());
+}
+
+void ElasticForce::addResistance(const RigidBody &body, Resistance &sum) const {
+    const Vector3 n = getLine(body).separation.unit();
+    const Vector3 column = n * -getPairDamping(body, n);
+    sum.add(Matrix3(column * n.x, column * n.y, column * n.z),
+            body.getDirectionInWorldSpace(getPointOn(body)), true);
+}
+
 Spring::Spring(const char *function, const RigidBody *body, const Vector3 &point, const RigidBody *otherBody,
                const Vector3 &otherPoint, real constant, real length)
     : ElasticForce(function, point, constant, length),
@@ -141,11 +173,22 @@ Vector3 Spring::getPointOn(const RigidBody &body) const {
     return isOther(body) ? otherConnectionPoint : position;
 }
 
+Vector3 Spring::getFarPoint(const RigidBody &body) const {
+    return getOtherBody(&body)->getPointInWorldSpace(isOther(body) ? position : otherConnectionPoint);
+}
+
 ElasticForce::Line Spring::getLine(const RigidBody &body) const {
-    const RigidBody &far = *getOtherBody(&body);
-    const Vector3 here = body.getPointInWorldSpace(getPointOn(body));
-    const Vector3 there = far.getPointInWorldSpace(isOther(body) ? position : otherConnectionPoint);
-    return {here - there, body.getVelocityAtPoint(here) - far.getVelocityAtPoint(there)};
+    const Vector3 here = body.getPointInWorldSpace(getPointOn(body)), there = getFarPoint(body);
+    return {here - there, body.getVelocityAtPoint(here) - getOtherBody(&body)->getVelocityAtPoint(there)};
+}
+
+real Spring::getFarInverseMass(const RigidBody &body, const Vector3 &direction) const {
+    return inverseMassAt(*getOtherBody(&body), getFarPoint(body), direction);
+}
+
+/// Slack, it resists nothing.
+void Bungee::addResistance(const RigidBody &body, Resistance &sum) const {
+    if (getTension(body) > 0) Spring::addResistance(body, sum);
 }
 
 real Bungee::tensionOf(const Line &line) const {

@@ -20,19 +20,15 @@ Matrix3 pointInertia(real mass, const Vector3 &r) {
     return result;
 }
 
-/// Whether some distribution of mass has this tensor, to within rounding.
-bool isPhysicalInertia(const Matrix3 &tensor) {
-    const real *d = tensor.data;
-    const real tolerance = 1e-9 * std::max({real_abs(d[0]), real_abs(d[4]), real_abs(d[8])});
-    const bool isSymmetric = real_abs(d[1] - d[3]) <= tolerance && real_abs(d[2] - d[6]) <= tolerance &&
-                             real_abs(d[5] - d[7]) <= tolerance;
-    if (!tensor.isFinite() || !isSymmetric) return false;
+/// By how much the moments miss those of a real thing, none of which is negative or greater than the other
+/// two together. Not positive: not at all.
+real triangleError(const Matrix3 &symmetricTensor) {
     Vector3 moments;
     Quaternion axes;
-    findPrincipalAxes((tensor + tensor.transpose()) * 0.5, moments, axes);
+    findPrincipalAxes(symmetricTensor, moments, axes);
     const real least = std::min({moments.x, moments.y, moments.z});
     const real greatest = std::max({moments.x, moments.y, moments.z});
-    return least >= -tolerance && 2 * greatest <= moments.x + moments.y + moments.z + tolerance;
+    return std::max(-least, greatest - (moments.x + moments.y + moments.z - greatest));
 }
 
 void requireRadii(real radius, real innerRadius, const char *function) {
@@ -66,14 +62,19 @@ MassProperties fromMeanSquares(real mass, const Vector3 &centre, const Vector3 &
 }  // namespace
 
 MassProperties::MassProperties(real kilograms, const Vector3 &centreOfMass, const Matrix3 &tensor)
-    : mass(kilograms), centre(centreOfMass), inertiaTensor(tensor) {
+    : mass(kilograms), centre(centreOfMass) {
     const char *const function = "MassProperties::MassProperties";
     requirePositive(mass, function, "the mass must be positive and finite");
     requireFinite(centre, function, "the centre must be finite");
-    requireMatrix(
-        isPhysicalInertia(tensor), function,
-        "the tensor must be symmetric, with moments not negative and none greater than the others' sum",
-        tensor);
+    const char *const rule =
+        "the tensor must be symmetric, with moments not negative and none greater than the others' sum";
+    requireMatrix(tensor.isFinite() && isSymmetric(tensor), function, rule, tensor);
+    inertiaTensor = symmetricPart(tensor);
+    const real *d = tensor.data;
+    const real tolerance = 1e-9 * std::max({real_abs(d[0]), real_abs(d[4]), real_abs(d[8])}) + DBL_MIN;
+    const real error = triangleError(inertiaTensor);
+    requireMatrix(error <= tolerance, function, rule, tensor);
+    for (int n = 0; n < 9; n += 4) inertiaTensor.data[n] += std::max<real>(error, 0);  // takes rounding back
 }
 
 // ---- Solids
@@ -159,8 +160,9 @@ MassProperties MassProperties::placedAt(const Vector3 &position, const Quaternio
     MassProperties result = *this;
     result.centre = axes * centre + position;
     requireVector(result.centre.isFinite(), function, "the centre must stay finite", result.centre);
-    const Matrix3 tensor = axes * inertiaTensor * axes.transpose();
-    result.inertiaTensor = (tensor + tensor.transpose()) * 0.5;
+    result.inertiaTensor = symmetricPart(axes * inertiaTensor * axes.transpose());
+    requireMatrix(result.inertiaTensor.isFinite(), function, "the tensor must stay finite",
+                  result.inertiaTensor);
     return result;
 }
 

@@ -16,10 +16,10 @@ void Members::reserveOneMore() {
 }
 
 void Members::List::reserve(const List &other) {
-    bodies.reserve(other.bodies.size());
-    numbers.reserve(other.bodies.size());
-    born.reserve(other.bodies.size());
-    numberOf.reserve(other.numberOf.size());
+    bodies.reserve(other.bodies.capacity());
+    numbers.reserve(other.numbers.capacity());
+    born.reserve(other.born.capacity());
+    numberOf.reserve(other.numberOf.capacity());
 }
 
 void Members::List::assign(const List &other) {

@@ -28,8 +28,8 @@ public:
         AddressMap numberOf;                 ///< of each body
         std::uint64_t nextNumber = 0;
 
-        /// Makes room for what another list holds, and takes it over. If memory runs out, nothing has
-        /// changed.
+        /// Makes as much room as another list has, and takes over what it holds. If memory runs out, nothing
+        /// has changed.
         void reserve(const List &other);
         void assign(const List &other);
     };

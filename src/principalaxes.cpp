@@ -12,6 +12,18 @@ bool isSymmetric(const Matrix3 &m) {
            real_abs(m.data[5] - m.data[7]) <= tolerance;
 }
 
+bool areBearable(const Vector3 &moments) {
+    real least = REAL_MAX, greatest = 0;
+    for (unsigned axis = 0; axis < 3; ++axis) {
+        const real moment = moments[axis];
+        if (moment > REAL_MAX) continue;
+        if (!(moment >= 1e-100 && moment <= 1e100)) return false;
+        least = std::min(least, moment);
+        greatest = std::max(greatest, moment);
+    }
+    return greatest <= 1e12 * least;
+}
+
 namespace {
 
 /// The rotation about `axis` (0, 1, 2) that clears the entry between the two other axes, its angle within

@@ -20,11 +20,11 @@ void Registrations::reserveMore(std::size_t count) {
 }
 
 void Registrations::reserve(const Registrations &other) {
-    calls.reserve(other.calls.size());
-    details.reserve(other.details.size());
+    calls.reserve(other.calls.capacity());
+    details.reserve(other.details.capacity());
     for (Role role : ROLES) {
-        rings[role].links.reserve(other.rings[role].links.size());
-        rings[role].heads.reserve(other.rings[role].heads.size());
+        rings[role].links.reserve(other.rings[role].links.capacity());
+        rings[role].heads.reserve(other.rings[role].heads.capacity());
     }
 }
 

@@ -42,9 +42,9 @@ public:
     void append(const Call &call, const RegistrationDetails &its);
     void erase(std::size_t index);
     void clear();
-    /// Takes over what the other holds, without allocating if reserve(other) has been called.
-    void assign(const Registrations &other);
+    /// Makes as much room as the other has, and takes over what it holds.
     void reserve(const Registrations &other);
+    void assign(const Registrations &other);
 
     /// Gaps included.
     std::size_t getEnd() const { return calls.size(); }

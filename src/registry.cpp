@@ -190,6 +190,15 @@ private:
     ForceRegistry &registry;
 };
 
+/// Most generators fit into three cache lines and read a body's transform, velocity and rotation. Inline, for
+/// the compiler leaves out calls of a function that does nothing but prefetch.
+CYCLONE_INLINE void ForceRegistry::prefetchFor(std::size_t index) const {
+    const Registrations::Call &call = (*registrations)[index];
+    if (call.body == nullptr) return;
+    prefetch(call.body, offsetof(RigidBody, orientation));
+    prefetch(call.generator, 192);
+}
+
 void ForceRegistry::updateForces(real duration) {
     const Update update(*this, duration);
     callInOrder(0, registrations->getEnd(), duration);
@@ -201,14 +210,6 @@ void ForceRegistry::callInOrder(std::size_t begin, std::size_t end, real duratio
         if (n + PREFETCH_AHEAD < end) prefetchFor(n + PREFETCH_AHEAD);
         callGenerator(n, duration);
     }
-}
-
-/// Most generators fit into two cache lines and read a body's transform, velocity and rotation.
-void ForceRegistry::prefetchFor(std::size_t index) const {
-    const Registrations::Call &call = (*registrations)[index];
-    if (call.body == nullptr) return;
-    prefetch(call.body, offsetof(RigidBody, orientation));
-    prefetch(call.generator, 128);
 }
 
 void ForceRegistry::callGenerator(std::size_t index, real duration) {
@@ -257,13 +258,13 @@ public:
     std::size_t getPartCount() const { return (runEnd - runBegin + PARALLEL_PART - 1) / PARALLEL_PART; }
 
     void run(std::size_t part) override {
-        const Registrations &registrations = *registry.registrations;
+        const Registrations &table = *registry.registrations;
         const std::size_t begin = runBegin + part * PARALLEL_PART,
                           end = std::min(begin + PARALLEL_PART, runEnd);
         for (std::size_t n = begin; n < end; ++n) {
             if (n + PREFETCH_AHEAD < end) registry.prefetchFor(n + PREFETCH_AHEAD);
-            if (registrations.isGap(n) || !registrations.isFirstOfBodySince(runBegin, n)) continue;
-            for (std::size_t its = n; its < runEnd; its = registrations.next(Registrations::BODY, its))
+            if (table.isGap(n) || !table.isFirstOfBodySince(runBegin, n)) continue;
+            for (std::size_t its = n; its < runEnd; its = table.next(Registrations::BODY, its))
                 registry.callGenerator(its, duration);
         }
     }

@@ -53,7 +53,6 @@ void World::saveState(Snapshot &snapshot) const {
         structure->registryRevision = registry.revision;
     }
     snapshot.structure = std::move(structure);
-    snapshot.structureChecksum = checksumOf(snapshot);
 }
 
 // ---- Restoring
@@ -62,7 +61,7 @@ void World::saveState(Snapshot &snapshot) const {
 const WorldStructure *World::findStructure(const Snapshot &snapshot) const {
     const WorldStructure *const structure = snapshot.structure.get();
     const bool isOfThis = structure != nullptr && structure->history == history &&
-                          snapshot.structureChecksum == checksumOf(snapshot);
+                          snapshot.writtenChecksum == checksumOf(snapshot);
     return isOfThis ? structure : nullptr;
 }
 

@@ -207,26 +207,27 @@ void writeSnapshot(RigidBody *const *bodies, std::size_t count, Snapshot &snapsh
         checksum.add(bytes, RECORD);
         bytes += RECORD;
     }
-    storeWord(bytes, checksum.get());
+    snapshot.writtenChecksum = checksum.get();
+    snapshot.structure.reset();
+    storeWord(bytes, snapshot.writtenChecksum);
 }
 
 const char *findSnapshotError(const Snapshot &snapshot, std::size_t count) {
-    const std::uint8_t *bytes = snapshot.data();
+    const std::uint8_t *const bytes = snapshot.data();
     if (snapshot.size() < snapshotSize(0) || loadWord(bytes) != MAGIC) return "this must be a snapshot";
     if (loadWord(bytes + 8) != VERSION) return "the snapshot must be of this version";
     if (loadWord(bytes + 16) != count) return "the snapshot must be of as many bodies";
     if (snapshot.size() != snapshotSize(count)) return "the snapshot must be complete";
 
     Hash checksum;
-    const char *error = nullptr;
-    checksum.add(bytes, HEADER);
-    bytes += HEADER;
-    for (std::size_t n = 0; n < count; ++n, bytes += RECORD) {
-        checksum.add(bytes, RECORD);
-        if (error == nullptr) error = findRecordError(bytes);
-    }
-    if (loadWord(bytes) != checksum.get()) return "the snapshot must be undamaged";
-    return error;
+    checksum.add(bytes, snapshot.size() - CHECKSUM);
+    if (loadWord(bytes + snapshot.size() - CHECKSUM) != checksum.get())
+        return "the snapshot must be undamaged";
+    if (snapshot.writtenChecksum != 0 && snapshot.writtenChecksum == checksum.get()) return nullptr;
+
+    for (std::size_t n = 0; n < count; ++n)
+        if (const char *const error = findRecordError(bytes + HEADER + n * RECORD)) return error;
+    return nullptr;
 }
 
 void readSnapshot(const Snapshot &snapshot, RigidBody *const *bodies, std::size_t count,

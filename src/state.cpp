@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "arguments.h"
+#include "principalaxes.h"
 
 namespace cyclone {
 
@@ -60,13 +61,20 @@ bool areReciprocal(real value, real inverse, real infinite) {
 
 real largestComponent(const Vector3 &v) { return std::max({real_abs(v.x), real_abs(v.y), real_abs(v.z)}); }
 
+/// A power of two that makes the vector small enough to be turned without overflow.
+real scaleFor(const Vector3 &v) { return largestComponent(v) > 0x1p1000 ? 0x1p-30 : 1; }
+
 /// Whether angular momentum and rotation belong together, about the axes that are free.
 bool momentumFits(const State &s) {
     if (s.inverseMass == 0) return s.angularMomentum == Vector3();
     const Quaternion toPrincipal = (s.orientation * s.principalAxes).conjugate();
-    const Vector3 momentum = toPrincipal.rotate(s.angularMomentum), spin = toPrincipal.rotate(s.rotation);
-    const real tolerance = 1e-9 * (largestComponent(s.inverseInertia) * largestComponent(s.angularMomentum) +
-                                   largestComponent(s.rotation));
+    const real scale = std::min(scaleFor(s.angularMomentum), scaleFor(s.rotation));
+    const Vector3 scaledMomentum = s.angularMomentum * scale, scaledSpin = s.rotation * scale;
+    const Vector3 momentum = toPrincipal.rotate(scaledMomentum), spin = toPrincipal.rotate(scaledSpin);
+    // What turning loses of a vector is in proportion to its length; subnormal numbers lose more.
+    const real tolerance =
+        largestComponent(s.inverseInertia) * (1e-9 * largestComponent(scaledMomentum) + DBL_MIN) +
+        1e-9 * largestComponent(scaledSpin) + DBL_MIN;
     for (unsigned axis = 0; axis < 3; ++axis) {
         const real inverse = s.inverseInertia[axis];
         if (inverse > 0 && !(real_abs(momentum[axis] * inverse - spin[axis]) <= tolerance)) return false;
@@ -97,6 +105,7 @@ const char *State::findError() const {
     for (unsigned axis = 0; axis < 3; ++axis)
         if (!areReciprocal(inertia[axis], inverseInertia[axis], 1 / real(0)))
             return "the moments of inertia must be positive and match their inverses";
+    if (!areBearable(inertia)) return "the moments of inertia must not be extreme";
     if (!isUnit(principalAxes)) return "the principal axes must be a unit quaternion";
     if (!momentumFits(*this)) return "the angular momentum must match the rotation";
     if (!isDamping(linearDamping) || !isDamping(angularDamping)) return "the damping must be between 0 and 1";

@@ -90,8 +90,9 @@ constexpr real MAX_SQUARE = RigidBody::MAX_SPEED * RigidBody::MAX_SPEED;
 
 /// Whether all numbers are finite and the speeds sane; whatever is not finite in orientation or angular
 /// momentum shows in the rotation.
-CYCLONE_INLINE bool isSound(const Vector3 &position, const Vector3 &velocity, const Vector3 &rotation) {
-    const Vector3 zero = position - position;
+CYCLONE_INLINE bool isSound(const Vector3 &position, const Vector3 &velocity, const Vector3 &rotation,
+                            const Vector3 &acceleration) {
+    const Vector3 zero = (position - position) + (acceleration - acceleration);
     return velocity.squareMagnitude() <= MAX_SQUARE && rotation.squareMagnitude() <= MAX_SQUARE &&
            zero.x + zero.y + zero.z == 0;
 }
@@ -110,7 +111,8 @@ CYCLONE_INLINE bool StepBlock::commit(const Entry &entry, const Quaternion &orie
     Vector3 velocity = entry.velocity;
     if (body.hasFiniteMass())
         velocity = velocity * body.linearFactor + entry.acceleration * body.memory.linearKick;
-    if (!isSound(entry.position, velocity, rotation)) {
+    const Vector3 acceleration = entry.acceleration + entry.addedAcceleration;
+    if (!isSound(entry.position, velocity, rotation, acceleration)) {
         fault(body);
         return false;
     }
@@ -119,7 +121,7 @@ CYCLONE_INLINE bool StepBlock::commit(const Entry &entry, const Quaternion &orie
     body.velocity = velocity;
     body.rotation = rotation;
     body.angularMomentum = angularMomentum;
-    body.lastFrameAcceleration = entry.acceleration + entry.addedAcceleration;
+    body.lastFrameAcceleration = acceleration;
     if (body.hasFiniteMass()) {
         body.memory.acceleration = entry.acceleration;
         body.memory.torque = body.generated.torque;

@@ -97,26 +97,30 @@ bool WingCurve::isStalled(real sine, real cosine) const {
     return real_abs(getStallProgress(sine * cosFlapTurn + cosine * sinFlapTurn)) > 1;
 }
 
+namespace {
+
+/// Between a (part 0) and b (part 1).
+real blend(real a, real b, real part) { return a + part * (b - a); }
+
+}  // namespace
+
 // Angles from the flow to the line from leading to trailing edge. Flow from behind is met alike, hence the
 // cosines: attached lift and moment act at the quarter chord that the flow meets first, and on a plate the
 // centre of pressure moves from near there to the middle (Hoerner 1965, cosine in place of his 1 − 2α/π).
-WingSection::Coefficients WingCurve::getCoefficients(real sine, real cosine) const {
+inline WingSection::Coefficients WingCurve::getCoefficients(real sine, real cosine) const {
     const real s = sine * cosFlapTurn + cosine * sinFlapTurn;
     const real c = cosine * cosFlapTurn - sine * sinFlapTurn;
     const real progress = getStallProgress(s);
     const real p2 = progress * progress, p4 = p2 * p2, p8 = p4 * p4;
     const real attached = 1 / (1 + p8 * p8);
-    const real separated = 1 - attached;
 
-    const real attachedLift = liftSlope * c * (s - sinZeroLift);
+    const real lift = liftSlope * c * (s - sinZeroLift);
+    const real moment = zeroLiftMoment * c - lift * c * (0.25 - 0.25 * c);
     const real plateForce = plateDrag * s;  // across the plate
-    WingSection::Coefficients result;
-    result.lift = attached * attachedLift + separated * plateForce * c;
-    result.drag =
-        leastDrag + attached * inducedDrag * attachedLift * attachedLift + separated * plateForce * s;
-    result.moment = attached * (zeroLiftMoment * c - attachedLift * c * 0.25 * (1 - c)) -
-                    separated * plateForce * (0.25 - 0.175 * c);
-    return result;
+    const real plateMoment = -plateForce * (0.25 - 0.175 * c);
+    return {blend(plateForce * c, lift, attached),
+            leastDrag + blend(plateForce * s, inducedDrag * lift * lift, attached),
+            blend(plateMoment, moment, attached)};
 }
 
 // ---- The wing
@@ -176,19 +180,20 @@ void Wing::setOrientation(const Quaternion &q) {
 
 void Wing::updateCurve() { curve = WingCurve(section, control * maxFlapAngle, flapChord, aspectRatio); }
 
-Wing::Flow Wing::getFlow(const RigidBody &body) const {
+inline Wing::Flow Wing::getFlow(const RigidBody &body) const {
     Vector3 velocity = body.getVelocity() + body.getRotation() % body.getDirectionInWorldSpace(position);
     if (windspeed != nullptr) velocity += *windspeed;
     if (wind != nullptr) velocity -= wind->getVelocity(body.getPointInWorldSpace(position));
     const Vector3 u = wingToBody.transformTranspose(body.getDirectionInLocalSpace(velocity));
-    const real speed = real_sqrt(u.x * u.x + u.y * u.y);
-    if (!(speed > 0)) return {u.x, u.y, u.z, speed, 0, 1};
-    const real inverse = 1 / speed;
+    const real square = u.x * u.x + u.y * u.y;
+    if (square < 1e-300) return {u.x, u.y, u.z, 0, 0, 1};
+    const real speed = real_sqrt(square);
+    const real inverse = speed * (1 / square);  // the division does not wait for the root
     return {u.x, u.y, u.z, speed, -u.y * inverse, u.x * inverse};
 }
 
 // The lift's direction is (−y, x)/speed, exactly across the flow.
-Wrench Wing::getWrench(const RigidBody &body) const {
+inline Wrench Wing::getWrench(const RigidBody &body) const {
     const Flow flow = getFlow(body);
     const WingSection::Coefficients c = curve.getCoefficients(flow.sine, flow.cosine);
     const real scale = 0.5 * density * span * chord;
@@ -219,8 +224,8 @@ bool Wing::isStalled(const RigidBody &body) const {
 
 void Wing::updateForce(RigidBody *body, real) {
     const Wrench wrench = getWrench(*body);
-    body->addForce(body->getDirectionInWorldSpace(wrench.force));
-    body->addTorque(body->getDirectionInWorldSpace(position % wrench.force + wrench.torque));
+    body->addWrench({body->getDirectionInWorldSpace(wrench.force),
+                     body->getDirectionInWorldSpace(position % wrench.force + wrench.torque)});
 }
 
 }  // namespace cyclone

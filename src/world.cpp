@@ -139,10 +139,34 @@ void World::destroyForce(ForceGenerator &force) {
 
 // ---- A frame
 
+/// Runs a job over all bodies, in parts, on as many threads as are worth it.
+void World::runParts(JobSystem::Job &job, std::size_t leastForThreads) {
+    const std::size_t count = members->getBodiesAndGaps().size();
+    const std::size_t parts = (count + PARALLEL_PART - 1) / PARALLEL_PART;
+    if (jobs != nullptr && count >= leastForThreads)
+        jobs->parallelFor(parts, job);
+    else
+        for (std::size_t part = 0; part < parts; ++part) job.run(part);
+}
+
+class World::ClearJob : public JobSystem::Job {
+public:
+    explicit ClearJob(const RigidBodies &all) : bodies(all) {}
+
+    void run(std::size_t part) override {
+        const std::size_t end = std::min((part + 1) * PARALLEL_PART, bodies.size());
+        for (std::size_t n = part * PARALLEL_PART; n < end; ++n)
+            if (bodies[n] != nullptr) bodies[n]->clearAccumulators();
+    }
+
+private:
+    const RigidBodies &bodies;  ///< and gaps
+};
+
 void World::startFrame() {
     requireIdle("World::startFrame");
-    for (RigidBody *body : members->getBodiesAndGaps())
-        if (body != nullptr) body->clearAccumulators();
+    ClearJob job(members->getBodiesAndGaps());
+    runParts(job, 8 * PARALLEL_MINIMUM);
 }
 
 /// While generators that may act on any body are called, whatever is added is theirs. If one throws, it is
@@ -199,7 +223,6 @@ class World::IntegrateJob : public JobSystem::Job {
 public:
     IntegrateJob(const RigidBodies &all, real h) : bodies(all), duration(h) {}
 
-    std::size_t getPartCount() const { return (bodies.size() + PARALLEL_PART - 1) / PARALLEL_PART; }
     bool hasAnyFault() const { return anyFault; }
 
     void run(std::size_t part) override {
@@ -231,10 +254,7 @@ void World::integrate(real duration) {
             world.freeEndedBodies();
         }
     } const atEnd{*this, job};
-    if (jobs != nullptr && members->size() >= PARALLEL_MINIMUM)
-        jobs->parallelFor(job.getPartCount(), job);
-    else
-        for (std::size_t part = 0; part < job.getPartCount(); ++part) job.run(part);
+    runParts(job, PARALLEL_MINIMUM);
 }
 
 void World::listFaultedBodies(bool anyNew) {

@@ -8,6 +8,7 @@
 #include <cstdlib>
 #include <memory>
 #include <new>
+#include <vector>
 
 #include "allocations.h"
 #include "random.h"
@@ -144,6 +145,36 @@ TEST(Allocation, NoneInAFrame) {
         registry.clear();
         EXPECT_EQ(allocationsIn(world, 2), 0) << threads << " threads, no registrations";
     }
+}
+
+/// Bodies and registrations come and go, beside a ring of snapshots that can bring them back.
+TEST(Allocation, NoneInASteadyComingAndGoing) {
+    if (!allocationsAreCounted()) GTEST_SKIP();
+    Gravity gravity;
+    Drag drag(1, 1);
+    World world;
+    std::vector<RigidBody *> bodies;
+    std::vector<Snapshot> ring(8);
+    const auto replace = [&](RigidBody *&body) {
+        if (body != nullptr) world.destroyBody(body);
+        body = world.createBody();
+        world.getForceRegistry().add(body, &gravity);
+        world.getForceRegistry().add(body, &drag);
+    };
+    bodies.resize(500);
+    for (RigidBody *&body : bodies) replace(body);
+    const auto runFrames = [&](std::size_t begin, std::size_t end) {
+        const long before = allocations.made;
+        for (std::size_t frame = begin; frame < end; ++frame) {
+            world.saveState(ring[frame % ring.size()]);
+            for (std::size_t n = 0; n < 20; ++n) replace(bodies[(20 * frame + n) * 7 % bodies.size()]);
+            world.startFrame();
+            world.runPhysics(0.01);
+        }
+        return allocations.made - before;
+    };
+    EXPECT_GT(runFrames(0, 200), 0) << "the snapshots' memory";
+    EXPECT_EQ(runFrames(200, 600), 0);
 }
 
 TEST(Allocation, SavingAgainReusesTheSnapshot) {

@@ -54,6 +54,75 @@ TEST(DampedSpring, BringsTwoBodiesToRestAndKeepsTheirMomentum) {
     EXPECT_TRUE(isNear(a->getVelocity(), Vector3(0, 0.5, 0), 1e-6));
 }
 
+/// However strongly it is damped, a pair never moves faster against each other than before, and ends as one,
+/// with its common velocity.
+TEST(DampedSpring, BearsAnyDamping) {
+    for (real c = 1e-2; c < 1e10; c *= 10) {
+        World world;
+        RigidBody *const a = world.createBody(), *const b = world.createBody();
+        a->setMass(2);
+        b->setPosition(3, 0, 0);
+        b->setVelocity(-3, 0, 0);
+        b->setInertiaTensor(diagonal(0.5, 0.6, 0.7));
+        Spring &strut = world.createSpring(a, Vector3(), b, Vector3(), 0, 0);
+        strut.setDamping(c);
+        real last = 3;
+        for (int n = 0; n < 240; ++n) {
+            run(world, 1);
+            const real closing = a->getVelocity().x - b->getVelocity().x;
+            ASSERT_LE(closing, last + 1e-12) << c << " N·s/m, frame " << n;
+            ASSERT_GE(closing, -1e-12) << c << " N·s/m, frame " << n;
+            last = closing;
+        }
+        ASSERT_NEAR(2 * a->getVelocity().x + b->getVelocity().x, -3, 1e-9);
+        const real exact = 3 * std::exp(-c * 1.5 * 240 * STEP);  // 1/m = 1/2 + 1
+        ASSERT_NEAR(last, exact, 2e-3) << c;
+    }
+}
+
+/// Two dampers on one body, off the centres: each is taken into account alone, so some energy may come for a
+/// moment, but in the end it goes.
+TEST(DampedSpring, OfAnyStrengthOffTheCentresTakesEnergyOut) {
+    for (real c = 1e-1; c < 1e8; c *= 10) {
+        World world;
+        RigidBody *const a = world.createBody(), *const b = world.createBody();
+        b->setMass(0.3);
+        b->setInertiaTensor(diagonal(0.02, 0.05, 0.04));
+        b->setPosition(0, 2, 0);
+        b->setRotation(1, 2, -3);
+        a->setVelocity(0.5, -1, 0.2);
+        world.createSpring(a, Vector3(0.4, 0, 0), b, Vector3(0, -0.3, 0.2), 0, 0).setDamping(c);
+        world.createForce<AnchoredSpring>(b, Vector3(0.1, 0, 0), Vector3(0, 5, 0), 0, 0).setDamping(c);
+        const auto energy = [&] {
+            real sum = 0;
+            for (const RigidBody *body : {a, b})
+                sum += (body->getMass() * body->getVelocity().squareMagnitude() +
+                        body->getRotation() * body->getAngularMomentum()) /
+                       2;
+            return sum;
+        };
+        const real before = energy();
+        for (int n = 0; n < 600; ++n) {
+            run(world, 1);
+            ASSERT_LE(energy(), before * 2) << c << " N·s/m, frame " << n;
+        }
+        EXPECT_LT(energy(), before * 0.8) << c << " N·s/m";
+        EXPECT_TRUE(world.getFaultedBodies().empty());
+    }
+}
+
+/// A slack rope holds nothing up, however strongly it is damped.
+TEST(DampedBungee, LetsFallWhileItIsSlack) {
+    World world;
+    RigidBody *const body = world.createBody(), *const post = world.createBody();
+    post->setInverseMass(0);
+    body->setPosition(0, -1, 0);
+    body->setAcceleration(Vector3::GRAVITY);
+    world.createSpring<Bungee>(body, Vector3(), post, Vector3(), 100, 20).setDamping(1e6);
+    run(world, 120);
+    EXPECT_NEAR(body->getVelocity().y, -9.81, 1e-12);
+}
+
 /// What turns about the line, or across it, is not damped.
 TEST(DampedSpring, ResistsMotionAlongItsLineOnly) {
     RigidBody body;

@@ -43,11 +43,11 @@ public:
     real getInverseMass() const { return inverseMass; }
     bool hasFiniteMass() const { return inverseMass > 0; }
 
-    /// About the centre of mass, in body axes, kg·m²: symmetric, its principal moments positive. The rotation
-    /// is kept.
+    /// About the centre of mass, in body axes, kg·m²: symmetric, its principal moments positive, between
+    /// 1e-100 and 1e100 and none more than 1e12 times another. The rotation is kept.
     void setInertiaTensor(const Matrix3 &inertiaTensor);
-    /// Its inverse: symmetric, no principal value negative. About an axis whose value is 0, a locked axis,
-    /// torques do nothing.
+    /// Its inverse: symmetric, no principal value negative, and the moments within the same bounds. About
+    /// an axis whose value is 0, a locked axis, torques do nothing.
     void setInverseInertiaTensor(const Matrix3 &inverseInertiaTensor);
     /// Refuses when an axis is locked, since the tensor is then infinite.
     Matrix3 getInertiaTensor() const;
@@ -144,6 +144,8 @@ public:
     }
     /// World coordinates, N·m.
     void addTorque(const Vector3 &torque) { addWrench(Vector3(), torque); }
+    /// Both at once.
+    void addWrench(const Wrench &wrench) { addWrench(wrench.force, wrench.torque); }
     /// For a generator, beside the force that it adds: the most by which its force answers to velocity
     /// (N·s/m) and its torque to rotation (N·m·s). Where all of it together is too strong for an explicit
     /// step, the registry makes the step implicit, see ForceGenerator::addResistance.

@@ -27,19 +27,24 @@ public:
     explicit FixedStep(real length = 1.0 / 60) : FixedStep(length, real_clamp(0.25, length, 1e6 * length)) {}
 
     /// Takes the time that has passed since the last call (s, not negative) and says how many steps to run
-    /// now.
+    /// now. Where that is close to a whole number of steps, to within a tenth of one, it is this number, so
+    /// that a display of the same rate, whose frames are never quite even, gets one step a frame. What is
+    /// left out counts later: no time is lost.
     unsigned advance(real elapsed);
     /// How much of the next step the wall clock has covered already, from 0 to less than 1: draw this far
     /// between the last two states.
-    real getFraction() const { return remainder / step; }
+    real getFraction() const;
     real getStep() const { return step; }
 
     /// Forgets what has not been run yet: after a pause, a load, a rewind.
     void reset() { remainder = 0; }
 
 private:
+    /// In steps: how far from a whole number of them a frame may be, and the remainder beyond its bounds.
+    static constexpr real SLACK = 0.1;
+
     real step, maxElapsed;
-    real remainder = 0;
+    real remainder = 0;  ///< s, owed to the wall clock; below 0 where the simulation is ahead
 };
 
 }  // namespace cyclone

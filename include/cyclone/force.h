@@ -214,7 +214,8 @@ private:
 ///     T = k·(|d| − L) + c·d|d|/dt
 ///
 /// Stretched it pulls, compressed it pushes; at zero length there is no force. A step is stable while
-/// duration < 2/√(k/m), and c/m·duration < 1, with 1/m the sum of the inverse masses of both ends.
+/// duration < 2/√(k/m), with 1/m the sum of the inverse masses of both ends. The damping may be as strong as
+/// it likes, see ForceGenerator::addResistance.
 class CYCLONE_API ElasticForce : public PointForce {
 public:
     /// k, N/m; finite and not negative.
@@ -232,6 +233,9 @@ public:
     real getTension(const RigidBody &body) const { return tensionOf(getLine(body)); }
     Vector3 getForce(const RigidBody &body) const override;
 
+    void updateForce(RigidBody *body, real duration) override;
+    void addResistance(const RigidBody &body, Resistance &sum) const override;
+
 protected:
     /// From the far end to the body's, m, and how fast that changes, m/s; world coordinates.
     struct Line {
@@ -242,8 +246,14 @@ protected:
     ElasticForce(const char *function, const Vector3 &connectionPoint, real springConstant, real restLength);
     virtual Line getLine(const RigidBody &body) const = 0;
     virtual real tensionOf(const Line &line) const;
+    /// How much the far end's velocity answers to an impulse along this unit vector, 1/kg; 0: not at all.
+    virtual real getFarInverseMass(const RigidBody & /*body*/, const Vector3 & /*direction*/) const {
+        return 0;
+    }
 
 private:
+    real getPairDamping(const RigidBody &body, const Vector3 &direction) const;
+
     real springConstant, restLength;
     real damping = 0;
 };
@@ -269,8 +279,10 @@ protected:
     Spring(const char *function, const RigidBody *body, const Vector3 &connectionPoint,
            const RigidBody *other, const Vector3 &otherConnectionPoint, real springConstant, real restLength);
     Line getLine(const RigidBody &body) const override;
+    real getFarInverseMass(const RigidBody &body, const Vector3 &direction) const override;
 
 private:
+    Vector3 getFarPoint(const RigidBody &body) const;
     bool isOther(const RigidBody &body) const { return &body == other && firstBody != nullptr; }
 
     const RigidBody *firstBody;  ///< null: whichever it is registered for
@@ -286,6 +298,7 @@ public:
            real springConstant, real restLength);
     Bungee(const RigidBody *body, const Vector3 &connectionPoint, const RigidBody *other,
            const Vector3 &otherConnectionPoint, real springConstant, real restLength);
+    void addResistance(const RigidBody &body, Resistance &sum) const override;
 
 protected:
     real tensionOf(const Line &line) const override;

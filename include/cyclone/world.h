@@ -151,6 +151,7 @@ public:
 private:
     class Bodies;  ///< storage of the bodies that the world owns
     class ForcesOnAll;
+    class ClearJob;
     class IntegrateJob;
     /// A body of the world's own that may come back.
     struct EndedBody {
@@ -167,6 +168,7 @@ private:
     void ownForce(std::unique_ptr<ForceGenerator> force, RigidBody *body, RigidBody *other,
                   const char *function);
 
+    void runParts(JobSystem::Job &job, std::size_t leastForThreads);
     void updateForces(real duration);
     void listFaultedBodies(bool anyNew);
 
