@@ -42,6 +42,7 @@ constexpr real RESISTANCE_INWARDS = 0.6;
 /// for the rudder.
 constexpr Matrix3 SAIL(-3.5, 0, 0, 0, -2, 0, 0, 0, -160), RUDDER(-1, 0, 0, 0, -1, 0, 0, 0, -250);
 constexpr Vector3 SAIL_CENTRE(-0.6, 2.6, 0), RUDDER_CENTRE(-2.6, -1, 0);
+constexpr real RUDDER_DEPTH = 0.25;  // m, of the centre of a rudder that is wholly under water
 
 RigidBody makeBody() {
     real mass = 0;
@@ -96,6 +97,7 @@ Catamaran::Catamaran(cyclone::World &w, const Vector3 *wind, const cyclone::Wate
         forces.add(&body, &hull);
     }
     for (cyclone::HullDrag &drag : drags) forces.add(&body, &drag);
+    rudder.setWater(water, RUDDER_DEPTH);
     for (AngledAero *surfaceOf : {&sail, &rudder}) {
         surfaceOf->setRotationalFlow(true);
         forces.add(&body, surfaceOf);

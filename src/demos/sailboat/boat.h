@@ -27,11 +27,10 @@ real bearing(const Vector3 &worldDirection);
 /// - Four half hulls of 0.22 m³ each, 0.8 m deep, carry 355 kg: they are 40 % under water, and the middle of
 ///   the hulls is 8 cm above the surface. One hull alone can carry the boat.
 /// - The sail takes 46 times more force across its cloth than along it. For such a flat sail drive is
-/// greatest
-///   when the boom bisects the angle between the stern and where the wind goes.
+///   greatest when the boom bisects the angle between the stern and where the wind goes.
 /// - Rudder and hulls together hold against side force at a point 0.6 m aft of the centre of mass. The sail's
-///   centre of effort lies there too, so that the rudder has little to do on a straight course. The rudder is
-///   taken to be under water always, and the sail never.
+///   centre of effort lies there too, so that the rudder has little to do on a straight course. The rudder
+///   works as far as it is under water; the sail is taken never to be.
 class Catamaran {
 public:
     static constexpr real LENGTH = 6, HULL_SPACING = 2.8;  ///< m; between the hulls' middles

@@ -13,8 +13,11 @@ constexpr real RUDDER_RATE = 1.2, SAIL_RATE = 1;               // rad/s
 constexpr real RUDDER_PER_ERROR = 1.8, RUDDER_PER_TURN = 1.2;  // 1, s
 constexpr real EASE_FROM = 0.14, EASE_TO = 0.3;                // heel at which the sail is eased, rad
 constexpr real NO_GO = 0.45;                                   // off the wind, rad: closer, no sail fills
-constexpr real ASTERN = 0.3;       // the wind is astern if it is within this of it, rad
-constexpr real MOST_RUDDER = 0.4;  // beyond, it brakes more than it turns; rad
+constexpr real ASTERN = 0.3;                  // the wind is astern if it is within this of it, rad
+constexpr real MOST_RUDDER = 0.4;             // beyond, it brakes more than it turns; rad
+constexpr real NO_WAY = 0.8, WAY = 1.2;       // m/s: slower, she is in irons; faster, she sails again
+constexpr real FALL_OFF = 1.2, BACKED = 1.2;  // in irons: course off the wind, and the sail; rad
+constexpr real FILLS = 0.85;                  // in irons: off the wind, rad; closer, the sail is held out
 
 real approach(real now, real target, real mostChange) {
     return now + real_clamp(target - now, -mostChange, mostChange);
@@ -52,18 +55,38 @@ real Helmsman::bestSail(const Catamaran &boat) {
     return eitherWillDo && otherSide * boat.getSail() > 0 ? otherSide : best;
 }
 
+real Helmsman::wantedWindAngle(const Catamaran &boat) const {
+    if (timeInIrons > 0) return fallOffSide * FALL_OFF;
+    return relativeToWind ? course : wrapAngle(boat.getTrueWindAngle() + boat.getHeading() - course);
+}
+
+void Helmsman::watchForIrons(const Catamaran &boat, real duration) {
+    const real offWind = boat.getTrueWindAngle();
+    if (timeInIrons == 0) {
+        if (boat.getSpeed() > NO_WAY || real_abs(offWind) > NO_GO) return;
+        fallOffSide = wantedWindAngle(boat) < 0 ? -1 : 1;
+    } else if (boat.getSpeed() > WAY && real_abs(offWind) > NO_GO) {
+        timeInIrons = 0;
+        backsSail = false;
+        return;
+    }
+    timeInIrons += duration;
+    backsSail = fallOffSide * offWind < (backsSail ? FILLS : NO_GO);
+}
+
 void Helmsman::steer(Catamaran &boat, real duration) const {
-    const real error =
-        relativeToWind ? wrapAngle(boat.getTrueWindAngle() - course) : wrapAngle(course - boat.getHeading());
+    const real error = wrapAngle(boat.getTrueWindAngle() - wantedWindAngle(boat));
     const real wanted = RUDDER_PER_ERROR * error - RUDDER_PER_TURN * boat.getTurnRate();
     const real sternwards = boat.getSpeed() < 0 ? -1 : 1;  // going astern, the rudder works the other way
     boat.setRudder(approach(boat.getRudder(), sternwards * real_clamp(wanted, -MOST_RUDDER, MOST_RUDDER),
                             RUDDER_RATE * duration));
 }
 
-void Helmsman::sail(Catamaran &boat, real duration) const {
+void Helmsman::sail(Catamaran &boat, real duration) {
+    watchForIrons(boat, duration);
     steer(boat, duration);
-    boat.setSail(approach(boat.getSail(), trim(boat), SAIL_RATE * duration));
+    boat.setSail(
+        approach(boat.getSail(), backsSail ? -fallOffSide * BACKED : trim(boat), SAIL_RATE * duration));
 }
 
 }  // namespace sailboat

@@ -11,6 +11,7 @@ constexpr real ROUNDING = 9, BERTH = 6;             // m: how near counts, and h
 constexpr real CORRIDOR = 26;                       // m to either side of the mark's line downwind
 constexpr real REACHING = 1.2;                      // rad off the wind: leeway no longer matters
 constexpr real MEMORY = 5, SHORTEST_BOARD = 10;     // s
+constexpr real LONGEST_IN_IRONS = 30;               // s
 
 real signOf(real x) { return x < 0 ? -1 : 1; }
 
@@ -23,6 +24,7 @@ Vector3 wayTo(const Skipper::Mark &mark, const Catamaran &boat) {
 
 void Skipper::startOver() {
     next = 0;
+    helmsman = Helmsman();
     beating = false;
     side = 0;
 }
@@ -64,8 +66,12 @@ void Skipper::noteRounding(const Catamaran &boat) {
 
 void Skipper::sail(Catamaran &boat, real duration) {
     if (!isFinished()) steerFor(course[next], boat);
+    const bool wasStuck = isStuck();
     helmsman.sail(boat, duration);
+    if (isStuck() && !wasStuck) reports.push_back("in irons: too little wind");
 }
+
+bool Skipper::isStuck() const { return helmsman.getTimeInIrons() > LONGEST_IN_IRONS; }
 
 void Skipper::steerFor(const Mark &mark, const Catamaran &boat) {
     const Vector3 way = wayTo(mark, boat);

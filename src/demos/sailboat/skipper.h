@@ -35,6 +35,7 @@ public:
     std::vector<std::string> takeReports() { return std::exchange(reports, {}); }
 
 private:
+    bool isStuck() const;
     void senseWind(const Vector3 &windspeed, real duration);
     void noteManoeuvre(const Catamaran &boat);
     void noteRounding(const Catamaran &boat);

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <vector>
 
 #include "sailboat/helmsman.h"
@@ -213,6 +214,34 @@ TEST(Boat, CapsizesWhereItsCentreOfMassPassesOverTheHull) {
         EXPECT_TRUE(comesUpright(side * (limit - 2 * DEGREE)));
         EXPECT_FALSE(comesUpright(side * (limit + 2 * DEGREE)));
     }
+}
+
+// ---- In the sea's hands
+
+TEST(Boat, DriftsRoundWithTheWaterOfALongSwell) {
+    Sea sea;
+    sea.water.addTrain({0.5, 60, 0, 0});
+    const real orbitSpeed = 0.5 * std::sqrt(G * 2 * REAL_PI / 60);
+    sea.drift(60);
+    real fastest = 0;
+    for (int n = 0; n < 720; ++n) {
+        sea.step();
+        const Vector3 level(sea.boat.getBody().getPosition().x, 0, sea.boat.getBody().getPosition().z);
+        const Vector3 lag = sea.boat.getBody().getVelocity() - sea.water.getVelocity(level);
+        ASSERT_LT(lag.magnitude(), 0.2 * orbitSpeed) << sea.time;
+        fastest = std::max(fastest, sea.boat.getBody().getVelocity().x);
+    }
+    EXPECT_NEAR(fastest, orbitSpeed, 0.1 * orbitSpeed);
+}
+
+TEST(Boat, RudderWorksInTheWaterOnly) {
+    Sea sea;
+    cyclone::RigidBody &body = sea.boat.getBody();
+    body.setVelocity(3, 0, 0);
+    sea.boat.setRudder(0.3);
+    EXPECT_GT(sea.boat.getRudderForce().magnitude(), 100);
+    body.setOrientation(cyclone::Quaternion::fromAxisAngle(Vector3::X, REAL_PI));  // capsized
+    EXPECT_EQ(sea.boat.getRudderForce(), Vector3());
 }
 
 // ---- Under sail
