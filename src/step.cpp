@@ -100,7 +100,7 @@ constexpr real MAX_SQUARE = RigidBody::MAX_SPEED * RigidBody::MAX_SPEED;
 /// Whether all numbers are finite and the speeds sane; whatever is not finite in orientation or angular
 /// momentum shows in the rotation.
 CYCLONE_INLINE bool isSound(const Vector3 &position, const Vector3 &velocity, const Vector3 &rotation) {
-    const Vector3 zero = position - position;
+    const Vector3 zero = position * 0;  // not of what is not finite
     return velocity.squareMagnitude() <= MAX_SQUARE && rotation.squareMagnitude() <= MAX_SQUARE &&
            zero.x + zero.y + zero.z == 0;
 }

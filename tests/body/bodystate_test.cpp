@@ -10,7 +10,7 @@
 #include <type_traits>
 #include <vector>
 
-#include "../src/state.h"
+#include "../../src/state.h"
 #include "random.h"
 
 using namespace cyclone;

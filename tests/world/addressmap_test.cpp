@@ -1,5 +1,5 @@
 // The hash table behind registries and worlds, compared with std::map.
-#include "../src/addressmap.h"
+#include "../../src/addressmap.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "../src/principalaxes.h"
+#include "../../src/principalaxes.h"
 
 #include <gtest/gtest.h>
 

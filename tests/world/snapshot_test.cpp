@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "golden/scene.h"
+#include "../golden/scene.h"
 #include "random.h"
 
 using namespace cyclone;

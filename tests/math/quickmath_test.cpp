@@ -1,4 +1,4 @@
-#include "../src/quickmath.h"
+#include "../../src/quickmath.h"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 #include <cyclone/body.h>
 
-#include "../src/freerotation.h"
+#include "../../src/freerotation.h"
 #include "reference.h"
 
 using namespace cyclone;
