@@ -13,8 +13,8 @@
 
 namespace cyclone {
 
-/// A surface: force = R·A·Rᵀ·(velocity + windspeed), at a point of the body. It may resist as strongly as it
-/// likes, see ForceGenerator::addResistance.
+/// A surface: force = R·A·Rᵀ·(velocity + windspeed), at a point of the body. It may resist with any
+/// strength, see ForceGenerator::addResistance.
 class CYCLONE_API Aero : public PointForce {
 public:
     /// Tensor A in N·s/m and position in m, body coordinates, finite. windspeed in m/s, world coordinates, is
@@ -77,7 +77,7 @@ public:
     AeroControl(const Matrix3 &base, const Matrix3 &min, const Matrix3 &max, const Vector3 &position,
                 const Vector3 *windspeed);
 
-    /// −1 … 1; beyond, the nearer end. Finite.
+    /// −1 … 1; clamped. Finite.
     void setControl(real value);
     real getControl() const { return control; }
 

@@ -45,7 +45,7 @@ private:
 ///
 /// with u the velocity of the point where it acts, past the water there. Along a hull the quadratic term is
 /// friction and wave making; sideways a hull is a wall; and what it spends up and down on making waves is
-/// what ends heaving, rolling and pitching. It may be as strong as it likes, see
+/// what ends heaving, rolling and pitching. It may be of any strength, see
 /// ForceGenerator::addResistance.
 class CYCLONE_API HullDrag : public PointForce {
 public:

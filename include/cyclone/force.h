@@ -49,7 +49,7 @@ public:
     virtual const RigidBody *getOtherBody(const RigidBody * /*body*/) const { return nullptr; }
 
     /// Adds how what updateForce adds answers to the motion of the body as it moves now. A generator that
-    /// tells so may resist motion as strongly as it likes, alone or with others, at any step. One that does
+    /// tells so may resist motion with any strength, alone or with others, at any step. One that does
     /// not is bound to z < 1, with z the sum of c·(1/mass + lever²/moment)·duration over the body's
     /// generators; beside a spring, to z < 1 − (ω·duration/2)².
     ///
@@ -191,7 +191,7 @@ private:
 class WindField;
 
 /// Drag at the centre of mass, against the velocity v through the air: −v/|v|·(k1·|v| + k2·|v|²). It may be
-/// as strong as it likes, see ForceGenerator::addResistance.
+/// of any strength, see ForceGenerator::addResistance.
 class CYCLONE_API Drag : public PointForce {
 public:
     /// k1 in N·s/m, k2 in N·s²/m²; finite and not negative.
@@ -217,7 +217,7 @@ private:
 ///     T = k·(|d| − L) + c·d|d|/dt
 ///
 /// Stretched it pulls, compressed it pushes; at zero length there is no force. The step must be shorter than
-/// 2/ω, see getLongestStep(); the damping may be as strong as it likes, see ForceGenerator::addResistance.
+/// 2/ω, see getLongestStep(); the damping may be of any strength, see ForceGenerator::addResistance.
 class CYCLONE_API ElasticForce : public PointForce {
 public:
     /// k, N/m; finite and not negative.

@@ -16,7 +16,7 @@ public:
     /// finite and not negative. The throttle is closed at first.
     Thruster(const Vector3 &direction, const Vector3 &position, real maxForce);
 
-    /// 0 … 1; beyond, the nearer end. Finite.
+    /// 0 … 1; clamped. Finite.
     void setThrottle(real value);
     real getThrottle() const { return throttle; }
     /// Turns the push, as a gimbal or an outboard motor does.

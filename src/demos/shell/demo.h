@@ -107,7 +107,7 @@ public:
     /// What happened since the last call.
     std::vector<Event> takeEvents() { return std::exchange(events, {}); }
 
-    /// By index into the profile's controls. Values beyond the range become its nearer end; NaN throws.
+    /// By index into the profile's controls. Values are clamped to the range; NaN throws.
     void setControl(std::size_t index, real value);
     real getControl(std::size_t index) const { return controls.at(index); }
     /// Those that centre to neutral: what the centring key does.

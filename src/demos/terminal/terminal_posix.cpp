@@ -119,7 +119,7 @@ termios raw(termios modes) {
 }
 
 /// Taken again after another program had it, the terminal's modes are what that one has left: unless `taken`,
-/// they are saved afresh. In the background tcsetattr stops the program until it is in the foreground.
+/// they are saved again. In the background tcsetattr stops the program until it is in the foreground.
 bool enterScreen() {
     if (!state.taken && tcgetattr(STDIN_FILENO, &state.before) != 0) return false;
     state.taken = 1;
