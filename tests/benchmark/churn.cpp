@@ -57,7 +57,7 @@ void measureChurnOf(std::size_t count) {
 void measureChurn() {
     std::printf("\nA body destroyed, another one created and registered: ns.\n\n%-24s %9s %9s %9s %8s\n", "",
                 "bodies", "churn", "new", "ratio");
-    for (const std::size_t count : {1000, 10000, 100000}) measureChurnOf(count);
+    for (const std::size_t count : {1000u, 10000u, 100000u}) measureChurnOf(count);
 }
 
 }  // namespace benchmark

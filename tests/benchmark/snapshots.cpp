@@ -81,13 +81,13 @@ void measureRollbackOf(std::size_t count) {
 void measureSnapshots() {
     std::printf("\nSnapshots: ns per body.\n\n%-24s %9s %9s %9s %8s\n", "", "bodies", "least", "median",
                 "ratio");
-    for (const std::size_t count : {1000, 10000}) measureSnapshotsOf(count);
+    for (const std::size_t count : {1000u, 10000u}) measureSnapshotsOf(count);
 }
 
 void measureRollback() {
     std::printf("\nRollback by eight frames, each stepped and saved again: µs.\n\n%-24s %9s %9s %9s %8s\n",
                 "", "bodies", "rollback", "8 frames", "ratio");
-    for (const std::size_t count : {64, 1000, 10000}) measureRollbackOf(count);
+    for (const std::size_t count : {64u, 1000u, 10000u}) measureRollbackOf(count);
 }
 
 }  // namespace benchmark
