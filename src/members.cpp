@@ -56,7 +56,7 @@ void Members::clear() {
 }
 
 void Members::closeGaps() const {
-    const std::lock_guard<std::mutex> lock(closing);
+    const Lock lock(closing);
     if (gapCount == 0) return;
     std::size_t end = 0;
     for (std::size_t n = 0; n < list.bodies.size(); ++n) {

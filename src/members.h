@@ -7,10 +7,10 @@
 #include <atomic>
 #include <cstddef>
 #include <cstdint>
-#include <mutex>
 #include <vector>
 
 #include "addressmap.h"
+#include "mutex.h"
 
 namespace cyclone {
 namespace detail {
@@ -61,7 +61,7 @@ private:
     void closeGaps() const;
 
     mutable List list;
-    mutable std::mutex closing;
+    mutable Mutex closing;
     mutable std::atomic<std::size_t> gapCount{0};
 };
 

@@ -5,10 +5,10 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
-#include <mutex>
 #include <vector>
 
 #include "growing.h"
+#include "mutex.h"
 
 namespace cyclone {
 namespace detail {
@@ -22,28 +22,28 @@ public:
 
     /// Makes room for another snapshot. If memory runs out, nothing has changed.
     void reserveOneMore() {
-        const std::lock_guard<std::mutex> lock(mutex);
+        const Lock lock(mutex);
         reserveGrowing(kept, kept.size() + 1);
     }
     /// Another snapshot: its time, to be given back to drop().
     std::uint64_t save() {
-        const std::lock_guard<std::mutex> lock(mutex);
+        const Lock lock(mutex);
         kept.push_back(++count);
         return count;
     }
     void drop(std::uint64_t time) {
-        const std::lock_guard<std::mutex> lock(mutex);
+        const Lock lock(mutex);
         kept.erase(std::lower_bound(kept.begin(), kept.end(), time));
     }
     /// Whether a snapshot is kept in which such an object lived.
     bool needs(std::uint64_t born, std::uint64_t died) const {
-        const std::lock_guard<std::mutex> lock(mutex);
+        const Lock lock(mutex);
         const auto next = std::upper_bound(kept.begin(), kept.end(), born);
         return next != kept.end() && *next <= died;
     }
 
 private:
-    mutable std::mutex mutex;
+    mutable Mutex mutex;
     std::vector<std::uint64_t> kept;  ///< ascending
     std::uint64_t count = 0;          ///< changed by the world's own thread only
 };
