@@ -97,7 +97,7 @@ void useTheRest() {
     struct {
         float x, y, z;
     } host = {1, 2, 3};
-    const Vector3 inUnreal = Frame::unreal().getPointInHost(vectorFrom(host));
+    const Vector3 inUnreal = AxisConvention::unreal().getPointInHost(vectorFrom(host));
     check(inUnreal == Vector3(100, 300, 200), "points arrive in Unreal");
     RigidBody ball;
     MassProperties::sphere(1, Mass(5)).applyTo(ball);
