@@ -30,7 +30,7 @@ struct Wrench {
 ///
 /// A body of inverse mass 0 is immovable: no force, torque, acceleration or damping changes its motion. It
 /// still goes on with the velocity and rotation that it is given, so it can serve as a moving platform.
-class alignas(64) CYCLONE_API RigidBody {
+class CYCLONE_API RigidBody {
 public:
     /// @name Mass and inertia
     /// @{
@@ -298,7 +298,7 @@ private:
 
     // What generators read and write comes first, then what only the step does, then what it rarely needs:
     // the less memory a frame touches, the faster a large world is.
-    bool awake = true;
+    alignas(64) bool awake = true;
     bool canSleep = false;
     bool faulted = false;
     bool hasAdded = false;              ///< `added` is not zero
