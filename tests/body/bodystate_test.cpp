@@ -202,6 +202,8 @@ TEST(BodyState, ThatNoBodyCanBeInIsRefused) {
         {"moments of inertia", [](State &s) { s.inertia.z *= 1.001; }},
         {"moments of inertia", [](State &s) { s.inertia.x = s.inverseInertia.x = 0; }},
         {"principal axes", [](State &s) { s.principalAxes = Quaternion(1, 1, 0, 0); }},
+        {"principal axes",
+         [](State &s) { s.principalAxes = Quaternion(1 + 4 * REAL_EPSILON, 0x1p-26, 0, 0); }},
         {"damping", [](State &s) { s.linearDamping = 1.01; }},
         {"damping", [](State &s) { s.angularDamping = QUIET_NAN; }},
         {"motion", [](State &s) { s.motion = -1; }},
