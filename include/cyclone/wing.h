@@ -85,7 +85,8 @@ private:
 /// through still air.
 ///
 /// One flow counts for the whole wing: to damp roll, and to drop a wing in a stall, an aircraft needs at
-/// least one Wing on each side.
+/// least one Wing on each side. A wing far too large for the step (some 10 m² on 1 kg at 60 Hz) that is free
+/// to turn can feed energy into the motion slowly: its lift turns the flow too far within one step.
 ///
 /// Finite span is Prandtl's lifting line with elliptic lift: slope 2π·AR/(AR + 2), induced drag
 /// lift²/(π·AR). When separated, the drag broadside falls with AR too (Viterna & Corrigan 1982).

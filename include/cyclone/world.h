@@ -35,8 +35,8 @@ public:
     World &operator=(const World &) = delete;
 
     /// @name Bodies
-    /// Their coming and going takes about a microsecond, however many others there are. If memory runs out,
-    /// nothing has changed.
+    /// Their coming and going takes a microsecond or so, with little regard to how many others there are. If
+    /// memory runs out, nothing has changed.
     /// @{
 
     /// Adds a body of the caller's; once only, and to one world at a time: two worlds would both advance it.

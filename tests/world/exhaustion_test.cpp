@@ -22,9 +22,9 @@ using namespace cyclone_test;
 namespace {
 
 /// A force on two bodies. Asked to, it lets another generator act on the second body, too.
-class Outreaching : public ForceGenerator {
+class CrossBody : public ForceGenerator {
 public:
-    Outreaching(ForceRegistry &r, RigidBody *o) : registry(r), other(o) {}
+    CrossBody(ForceRegistry &r, RigidBody *o) : registry(r), other(o) {}
     void enlist(ForceGenerator *generator) { recruit = generator; }
     void updateForce(RigidBody *body, real) override {
         body->addForce(Vector3(0, 1, 0));
@@ -285,7 +285,7 @@ private:
     Drag drag{0.1, 0.1};
     Aero wing{diagonal(-1, -1, -1), Vector3(0, 0, 1), nullptr};
     Buoyancy hull{Vector3(), 1, 1, 0};
-    std::optional<Outreaching> pair;
+    std::optional<CrossBody> pair;
     Snapshot snapshot;
     std::optional<Workers> hostJobs;
     std::optional<World> world;
