@@ -49,41 +49,29 @@ CYCLONE_INLINE std::uint64_t loadWord(const std::uint8_t *bytes) {
 
 constexpr std::uint64_t swapHalves(std::uint64_t word) { return word >> 32 | word << 32; }
 
-/// A running hash of words in four lanes, which do not wait for each other. Each step takes two words and is
-/// one-to-one in either, so a change of a single word never goes unnoticed. (The multiplier is 2⁶⁴ divided by
-/// the golden ratio; Knuth 1973.)
+/// A running hash of words in eight lanes, which do not wait for each other. Each step is one-to-one in its
+/// word, so a change of a single word never goes unnoticed. (The multiplier is 2⁶⁴ divided by the golden
+/// ratio; Knuth 1973.)
 class Hash {
 public:
-    static constexpr std::size_t ROW = 8 * 8;  ///< bytes: two words for each lane
+    static constexpr std::size_t LANES = 8, ROW = 8 * LANES;  ///< bytes: a word for each lane
 
     /// Adds whole rows.
     CYCLONE_INLINE void add(const std::uint8_t *bytes, std::size_t size) {
-        for (std::size_t n = 0; n < size; n += ROW) {
-            mix(a, bytes + n);
-            mix(b, bytes + n + 8);
-            mix(c, bytes + n + 16);
-            mix(d, bytes + n + 24);
-        }
+        for (std::size_t n = 0; n < size; n += ROW)
+            for (std::size_t lane = 0; lane < LANES; ++lane)
+                lanes[lane] = mixed(lanes[lane] ^ loadWord(bytes + n + 8 * lane));
     }
     std::uint64_t get() const {
         std::uint64_t result = MAGIC;
-        for (std::uint64_t lane : {a, b, c, d}) {
-            result = (result ^ lane) * MULTIPLIER;
-            result ^= result >> 32;
-        }
+        for (const std::uint64_t lane : lanes) result = mixed(result ^ lane);
         return result;
     }
 
 private:
-    static constexpr std::uint64_t MULTIPLIER = 0x9e3779b97f4a7c15;
+    static constexpr std::uint64_t mixed(std::uint64_t word) { return swapHalves(word * 0x9e3779b97f4a7c15); }
 
-    /// Word n and word n + 4 of a row.
-    CYCLONE_INLINE static void mix(std::uint64_t &lane, const std::uint8_t *bytes) {
-        const std::uint64_t pair = loadWord(bytes) ^ swapHalves(loadWord(bytes + ROW / 2));
-        lane = swapHalves((lane ^ pair) * MULTIPLIER);
-    }
-
-    std::uint64_t a = 1, b = 2, c = 3, d = 4;
+    std::uint64_t lanes[LANES] = {1, 2, 3, 4, 5, 6, 7, 8};
 };
 
 // ---- A state as words

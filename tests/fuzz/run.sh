@@ -1,9 +1,10 @@
 #!/usr/bin/env bash
 # Fuzzes each target for so many seconds (30 by default) from the committed corpus, with the address and
 # undefined-behaviour sanitizers. Needs clang++ with its runtime (Debian: libclang-rt-14-dev). An input that fails is
-# printed in base64 and, where a build folder is given, left there as crash-*; <target> crash-* runs it again.
+# printed in base64 and, where a build folder is given, left there as crash-*; <target> crash-* runs it again. The seed
+# is the same each time, so that a change is judged by the inputs that the one before it met; SEED=0 draws one.
 #
-#     tests/fuzz/run.sh [seconds] [build folder]
+#     [SEED=n] tests/fuzz/run.sh [seconds] [build folder]
 set -euo pipefail
 seconds=${1:-30}
 root=$(cd "$(dirname "$0")/../.." && pwd)
@@ -24,6 +25,6 @@ for target in calls snapshots inertia precision; do
         -o "$work/$target"
     mkdir -p "$work/corpus/$target"
     echo "== $target, $seconds s"
-    (cd "$work" && "./$target" -max_total_time="$seconds" -timeout=30 -rss_limit_mb=1500 -max_len=600 -verbosity=0 \
-        -print_final_stats=1 "corpus/$target" "$root/tests/fuzz/corpus/$target")
+    (cd "$work" && "./$target" -seed="${SEED:-1}" -max_total_time="$seconds" -timeout=30 -rss_limit_mb=1500 \
+        -max_len=600 -verbosity=0 -print_final_stats=1 "corpus/$target" "$root/tests/fuzz/corpus/$target")
 done

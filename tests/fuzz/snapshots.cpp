@@ -35,24 +35,18 @@ std::uint64_t load(const Snapshot &snapshot, std::size_t at) {
     return word;
 }
 
-constexpr std::uint64_t MULTIPLIER = 0x9e3779b97f4a7c15;
-
-std::uint64_t swapHalves(std::uint64_t word) { return word >> 32 | word << 32; }
+std::uint64_t mixed(std::uint64_t word) {
+    word *= 0x9e3779b97f4a7c15;
+    return word >> 32 | word << 32;
+}
 
 /// As src/snapshot.cpp computes it: a damaged snapshot with a wrong one says nothing about the rest.
 std::uint64_t checksum(const Snapshot &snapshot) {
-    std::uint64_t lanes[] = {1, 2, 3, 4};
-    for (std::size_t at = 0; at + WORD < snapshot.size(); at += 8 * WORD)
-        for (std::size_t n = 0; n < 4; ++n) {
-            const std::uint64_t pair =
-                load(snapshot, at + n * WORD) ^ swapHalves(load(snapshot, at + (n + 4) * WORD));
-            lanes[n] = swapHalves((lanes[n] ^ pair) * MULTIPLIER);
-        }
+    std::uint64_t lanes[] = {1, 2, 3, 4, 5, 6, 7, 8};
+    for (std::size_t n = 0; WORD * (n + 1) < snapshot.size(); ++n)
+        lanes[n % 8] = mixed(lanes[n % 8] ^ load(snapshot, WORD * n));
     std::uint64_t result = load(snapshot, 0);
-    for (const std::uint64_t lane : lanes) {
-        result = (result ^ lane) * MULTIPLIER;
-        result ^= result >> 32;
-    }
+    for (const std::uint64_t lane : lanes) result = mixed(result ^ lane);
     return result;
 }
 
@@ -61,6 +55,7 @@ void store(Snapshot &snapshot, std::size_t at, std::uint64_t word) {
         snapshot.data()[at + n] = static_cast<std::uint8_t>(word >> (8 * n));
 }
 
+/// Bytes alone, as from a file: nothing says that they were written as they are.
 Snapshot damaged(const World &world, Input &input) {
     Snapshot snapshot;
     world.saveState(snapshot);
@@ -80,7 +75,7 @@ Snapshot damaged(const World &world, Input &input) {
         store(snapshot, at, bits);
     }
     store(snapshot, last, checksum(snapshot));
-    return snapshot;
+    return Snapshot(snapshot.begin(), snapshot.end());
 }
 
 void checkStates(const World &world) {
