@@ -3,7 +3,6 @@
 namespace flightsim {
 
 using cyclone::Matrix3;
-using cyclone::real_atan2;
 
 const Vector3 Aircraft::WING_POSITION(0.25, 0.35, 0.2);
 const Vector3 Aircraft::TAIL_POSITION(-0.6, 0.4, 0);
@@ -92,20 +91,6 @@ void Aircraft::setControls(const FlightControls &sticks) {
 
 Vector3 Aircraft::getVelocityThroughAir() const {
     return windspeed ? body.getVelocity() + *windspeed : body.getVelocity();
-}
-
-real Aircraft::getHeading() const {
-    const Vector3 nose = body.getTransform().getAxisVector(0);
-    return real_atan2(nose.z, nose.x);
-}
-
-real Aircraft::getPitch() const {
-    const Vector3 nose = body.getTransform().getAxisVector(0);
-    return real_atan2(nose.y, cyclone::real_sqrt(nose.x * nose.x + nose.z * nose.z));
-}
-
-real Aircraft::getRoll() const {
-    return real_atan2(-body.getTransform().getAxisVector(2).y, body.getTransform().getAxisVector(1).y);
 }
 
 bool Aircraft::isOnGround() const {

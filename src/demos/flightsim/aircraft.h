@@ -1,6 +1,7 @@
 #pragma once
 
 /// The chapter's model aircraft: four surfaces, a propeller and three wheels on one rigid body.
+#include "models/attitude.h"
 #include "models/undercarriage.h"
 
 #include <cyclone/cyclone.h>
@@ -76,9 +77,9 @@ public:
     Vector3 getVelocityThroughAir() const;
     real getAirspeed() const { return getVelocityThroughAir().magnitude(); }
     /// rad; heading clockwise from +X as seen from above, −π … π; pitch up and roll to starboard positive.
-    real getHeading() const;
-    real getPitch() const;
-    real getRoll() const;
+    real getHeading() const { return headingOf(body); }
+    real getPitch() const { return pitchOf(body); }
+    real getRoll() const { return bankOf(body); }
 
     /// Port wing, starboard wing, tailplane, rudder.
     const std::array<const cyclone::Aero *, 4> &getSurfaces() const { return surfaces; }

@@ -39,6 +39,7 @@ Flight::Flight() : aircraft(world, wind.getAddress()) {
 
 void Flight::fillProfile() {
     profile.program = "flightsim";
+    profile.variant = "aircraft model";
     profile.summary = "Flies a model aircraft: with the keyboard in a terminal, otherwise by itself.";
     profile.settings = {{"wind", "SPEED", "Mean wind, m/s", 1.5, 0, 5},
                         {"from", "DEGREES", "Where the wind comes from; the runway points to 0", 20, 0, 360},

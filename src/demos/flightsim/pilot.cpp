@@ -23,12 +23,6 @@ constexpr real MAX_BANK = 32 * DEGREE;
 constexpr real WATCH = 12;                  // s
 constexpr real CALM = 2.5, TOO_MUCH = 6.5;  // m/s
 
-real wrapped(real angle) {
-    while (angle > REAL_PI) angle -= 2 * REAL_PI;
-    while (angle < -REAL_PI) angle += 2 * REAL_PI;
-    return angle;
-}
-
 real heightOf(const Aircraft &aircraft) {
     return aircraft.getBody().getPosition().y - Aircraft::WHEEL_HEIGHT;
 }

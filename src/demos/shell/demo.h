@@ -40,9 +40,16 @@ struct Quantity {
     int decimals = -1;          ///< in the table; negative: not in it
 };
 
+/// The words of a command line's option, of which one says what runs, as in `--aircraft glider`.
+struct Choice {
+    std::string name, help;
+    std::vector<std::string> words;  ///< the first is the default
+};
+
 /// What stays the same for a demonstration.
 struct Profile {
     std::string program;            ///< its name on the command line
+    std::string variant{};          ///< which of the program's demonstrations, as in "aircraft glider"
     std::string summary;            ///< the sentence that --help begins with
     std::string title, kind;        ///< of the page; kind: a word or two above the title, such as "flight"
     std::vector<Setting> settings;  ///< --seed exists besides

@@ -162,12 +162,25 @@ int run(Demonstration &demonstration, const Options &options, RunOptions given) 
     return status;
 }
 
-}  // namespace
+/// The word behind `--name` among the arguments, or the first of the choice. A wrong one is told later, with
+/// all other mistakes.
+std::string findChosen(const Choice &choice, int argc, const char *const argv[]) {
+    const std::string option = "--" + choice.name;
+    for (int n = 1; n < argc; ++n) {
+        const std::string argument = argv[n];
+        std::string word;
+        if (argument == option && n + 1 < argc) word = argv[n + 1];
+        if (argument.rfind(option + "=", 0) == 0) word = argument.substr(option.size() + 1);
+        if (std::count(choice.words.begin(), choice.words.end(), word) > 0) return word;
+    }
+    return choice.words.front();
+}
 
-int runDemonstration(Demonstration &demonstration, int argc, const char *const argv[],
-                     const std::vector<Product> &products) {
+int parseAndRun(Demonstration &demonstration, const Choice *choice, std::string chosen, int argc,
+                const char *const argv[], const std::vector<Product> &products) {
     const Profile &profile = demonstration.getProfile();
     Options options(profile.program, profile.summary, getVersion());
+    if (choice) options.addChoice(choice->name, choice->words, choice->help, chosen);
     RunOptions given;
     declare(options, given, demonstration, products);
     try {
@@ -179,6 +192,20 @@ int runDemonstration(Demonstration &demonstration, int argc, const char *const a
         std::cerr << profile.program << ": " << error.what() << '\n';
         return 2;
     }
+}
+
+}  // namespace
+
+int runDemonstration(Demonstration &demonstration, int argc, const char *const argv[],
+                     const std::vector<Product> &products) {
+    return parseAndRun(demonstration, nullptr, "", argc, argv, products);
+}
+
+int runDemonstration(const Choice &choice,
+                     const std::function<std::unique_ptr<Demonstration>(const std::string &word)> &make,
+                     int argc, const char *const argv[]) {
+    const std::string chosen = findChosen(choice, argc, argv);
+    return parseAndRun(*make(chosen), &choice, chosen, argc, argv, {});
 }
 
 }  // namespace demo

@@ -5,6 +5,7 @@
 
 #include <functional>
 #include <iosfwd>
+#include <memory>
 
 namespace demo {
 
@@ -18,5 +19,11 @@ struct Product {
 /// on stderr), or 128 + the signal that ended a run in the terminal.
 int runDemonstration(Demonstration &demonstration, int argc, const char *const argv[],
                      const std::vector<Product> &products = {});
+
+/// The same for a program of several demonstrations: the command line's `--choice WORD` says which. `make` is
+/// given one of the words.
+int runDemonstration(const Choice &choice,
+                     const std::function<std::unique_ptr<Demonstration>(const std::string &word)> &make,
+                     int argc, const char *const argv[]);
 
 }  // namespace demo

@@ -32,6 +32,11 @@ real readWithin(const std::string &word, real low, real high) {
 
 void readSetting(Script &script, const Profile &profile, const std::vector<std::string> &words) {
     if (words.size() != 2) fail("expected a name and a value");
+    const std::string choice = profile.variant.substr(0, profile.variant.find(' '));
+    if (!choice.empty() && words[0] == choice) {
+        if (words[0] + " " + words[1] != profile.variant) fail("it needs --" + words[0] + " " + words[1]);
+        return;
+    }
     if (words[0] == "seed") {
         if (words[1].find_first_not_of("0123456789") != std::string::npos)
             fail("'" + words[1] + "' is not a whole number");
@@ -96,6 +101,7 @@ Script readScript(const std::string &text, const Profile &profile) {
 std::string writeScript(const Script &script, const Profile &profile) {
     const auto time = [&](std::uint64_t step) { return fixed(static_cast<real>(step) * profile.step, 5); };
     std::string text = "# Inputs of " + profile.program + "; play them with --input.\n";
+    if (!profile.variant.empty()) text += profile.variant + "\n";
     if (script.seed) text += "seed " + std::to_string(*script.seed) + "\n";
     for (std::size_t n = 0; n < script.settings.size(); ++n)
         if (script.settings[n]) text += profile.settings[n].name + " " + shortest(*script.settings[n]) + "\n";

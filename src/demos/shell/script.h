@@ -3,6 +3,7 @@
 /// Recorded inputs: a text that says which control has which value from which moment on.
 ///
 ///     # what follows a # is a comment
+///     aircraft glider        the program's variant, where it has several; it must be the one that runs
 ///     seed 7                 the run's seed and settings, where given
 ///     wind 2.5
 ///     0 throttle 1           seconds, control, value

@@ -10,6 +10,7 @@
 
 #include "base/files.h"
 #include "flightsim/flight.h"
+#include "flightsim/soaring.h"
 
 using namespace demo;
 using namespace flightsim;
@@ -28,6 +29,20 @@ Outcome run(std::vector<const char *> arguments, const std::vector<Product> &pro
     testing::internal::CaptureStderr();
     const int status =
         runDemonstration(flight, static_cast<int>(arguments.size()), arguments.data(), products);
+    return {status, testing::internal::GetCapturedStdout(), testing::internal::GetCapturedStderr()};
+}
+
+/// A program of several demonstrations.
+Outcome runChosen(std::vector<const char *> arguments) {
+    arguments.insert(arguments.begin(), "flightsim");
+    testing::internal::CaptureStdout();
+    testing::internal::CaptureStderr();
+    const auto make = [](const std::string &word) -> std::unique_ptr<Demonstration> {
+        if (word == "glider") return std::make_unique<Soaring>();
+        return std::make_unique<Flight>();
+    };
+    const int status = runDemonstration({"aircraft", "What to fly", {"model", "glider"}}, make,
+                                        static_cast<int>(arguments.size()), arguments.data());
     return {status, testing::internal::GetCapturedStdout(), testing::internal::GetCapturedStderr()};
 }
 
@@ -79,6 +94,29 @@ TEST_F(DemoLoop, ARecordedRunPlaysBackWithItsSettings) {
     const Outcome replayed = run({"--seconds", "6", "--input", script.c_str()});
     EXPECT_EQ(replayed.status, 0);
     EXPECT_EQ(lastLine(replayed.out), lastLine(flown.out));
+}
+
+TEST_F(DemoLoop, AWordChoosesTheDemonstration) {
+    EXPECT_NE(runChosen({"--help"}).out.find("--aircraft model|glider"), std::string::npos);
+    EXPECT_EQ(runChosen({"--seconds", "1"}).out, runChosen({"--seconds", "1", "--aircraft", "model"}).out);
+    for (const std::vector<const char *> &spelling :
+         {std::vector<const char *>{"--seconds", "1", "--aircraft", "glider"},
+          {"--aircraft=glider", "--seconds=1"}})
+        EXPECT_NE(runChosen(spelling).out.find("vario"), std::string::npos);
+    const Outcome wrong = runChosen({"--aircraft", "balloon"});
+    EXPECT_EQ(wrong.status, 2);
+    EXPECT_EQ(wrong.err, "flightsim: --aircraft: 'balloon' is none of model, glider\n");
+    EXPECT_EQ(runChosen({"--lift", "3"}).status, 2) << "a setting of the other demonstration";
+}
+
+TEST_F(DemoLoop, AScriptPlaysInTheDemonstrationThatItIsOf) {
+    const std::string script = path("script.txt");
+    const Outcome flown = runChosen({"--aircraft", "glider", "--seconds", "5", "--record", script.c_str()});
+    EXPECT_EQ(lastLine(runChosen({"--aircraft", "glider", "--input", script.c_str()}).out),
+              lastLine(flown.out));
+    const Outcome other = runChosen({"--input", script.c_str()});
+    EXPECT_EQ(other.status, 2);
+    EXPECT_NE(other.err.find("it needs --aircraft glider"), std::string::npos) << other.err;
 }
 
 TEST_F(DemoLoop, ALongerRunThanTheCircuitBeginsAgain) {

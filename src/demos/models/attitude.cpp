@@ -1,0 +1,29 @@
+#include "models/attitude.h"
+
+namespace demo {
+
+using cyclone::real_atan2;
+using cyclone::REAL_PI;
+using cyclone::Vector3;
+
+real headingOf(const RigidBody &body) {
+    const Vector3 nose = body.getTransform().getAxisVector(0);
+    return real_atan2(nose.z, nose.x);
+}
+
+real pitchOf(const RigidBody &body) {
+    const Vector3 nose = body.getTransform().getAxisVector(0);
+    return real_atan2(nose.y, cyclone::real_sqrt(nose.x * nose.x + nose.z * nose.z));
+}
+
+real bankOf(const RigidBody &body) {
+    return real_atan2(-body.getTransform().getAxisVector(2).y, body.getTransform().getAxisVector(1).y);
+}
+
+real wrapped(real angle) {
+    while (angle > REAL_PI) angle -= 2 * REAL_PI;
+    while (angle < -REAL_PI) angle += 2 * REAL_PI;
+    return angle;
+}
+
+}  // namespace demo
