@@ -90,9 +90,9 @@ void RigidBody::setPrincipalInertia(const Matrix3 &tensor, bool isInverse, const
 
 void RigidBody::setPrincipalFrame(const Vector3 &inverseMoments, const Quaternion &axes) {
     inverseInertia = inverseMoments;
-    intermediateAxis = axisOfIntermediateValue(inverseInertia);
+    principalFrame.intermediateAxis = axisOfIntermediateValue(inverseInertia) & 3;
     principalAxes = axes;
-    hasPrincipalAxes = axes != Quaternion();
+    principalFrame.isTurned = axes != Quaternion();
 }
 
 void RigidBody::setInertiaTensor(const Matrix3 &inertiaTensor) {
@@ -163,9 +163,14 @@ void RigidBody::setAngularDamping(real damping) {
 
 // ---- Motion
 
+void RigidBody::setLockedMotion(bool x, bool y, bool z) {
+    lockedMotion = static_cast<std::uint8_t>((x ? 1 : 0) | (y ? 2 : 0) | (z ? 4 : 0));
+    for (Vector3 *locked : {&velocity, &acceleration, &memory.acceleration}) *locked = possible(*locked);
+}
+
 void RigidBody::setPosition(const Vector3 &worldPoint) {
     requireFinite(worldPoint, "RigidBody::setPosition", "the position must be finite");
-    transform.setAxisVector(3, worldPoint);
+    transform.setAxisVector(3, possible(worldPoint, getPosition()));
 }
 
 void RigidBody::setOrientation(const Quaternion &bodyToWorld) {
@@ -183,8 +188,9 @@ void RigidBody::setOrientation(const Quaternion &bodyToWorld) {
 
 void RigidBody::setVelocity(const Vector3 &metresPerSecond) {
     requireFinite(metresPerSecond, "RigidBody::setVelocity", "the velocity must be finite");
-    if (!awake && metresPerSecond != Vector3()) setAwake(true);
-    velocity = metresPerSecond;
+    const Vector3 changed = possible(metresPerSecond);
+    if (!awake && changed != Vector3()) setAwake(true);
+    velocity = changed;
 }
 
 void RigidBody::setRotation(const Vector3 &radiansPerSecond) {
@@ -233,9 +239,9 @@ void RigidBody::addImpulseAtPoint(const Vector3 &impulse, const Vector3 &worldPo
 
 void RigidBody::setAcceleration(const Vector3 &metresPerSecondSquared) {
     requireFinite(metresPerSecondSquared, "RigidBody::setAcceleration", "the acceleration must be finite");
-    if (!awake && metresPerSecondSquared != acceleration && metresPerSecondSquared != Vector3())
-        setAwake(true);
-    acceleration = metresPerSecondSquared;
+    const Vector3 changed = possible(metresPerSecondSquared);
+    if (!awake && changed != acceleration && changed != Vector3()) setAwake(true);
+    acceleration = changed;
 }
 
 void RigidBody::calculateDerivedData() { transform.setOrientationAndPos(orientation, getPosition()); }
@@ -247,6 +253,11 @@ void RigidBody::clearForces() {
     resistance = 0;
     if (hasAdded) added = Wrench();
     hasAdded = hasGenerated = false;
+}
+
+void RigidBody::dropLockedForces() {
+    generated.force = possible(generated.force);
+    added.force = possible(added.force);
 }
 
 void RigidBody::wakeForForce(const Vector3 &force, const Vector3 &torque) {

@@ -154,15 +154,14 @@ private:
 };
 
 /// Coordinates in which linear and angular momentum weigh alike, and a resistance that is symmetric stays so:
-/// force along world axes and torque along principal axes, divided by √mass and √moment. A locked axis has
-/// neither.
+/// force along world axes and torque along principal axes, divided by √mass and √moment. A locked direction
+/// or axis has neither.
 class Scale {
 public:
-    Scale(real rootMass, const Matrix3 &principalAxes, const Vector3 &inverseMoments)
+    Scale(const Vector3 &inverseRootMass, const Matrix3 &principalAxes, const Vector3 &inverseMoments)
         : axes(principalAxes),
-          factors(Vector3(1, 1, 1) * (1 / rootMass),
-                  Vector3(real_sqrt(inverseMoments.x), real_sqrt(inverseMoments.y),
-                          real_sqrt(inverseMoments.z))) {}
+          factors(inverseRootMass, Vector3(real_sqrt(inverseMoments.x), real_sqrt(inverseMoments.y),
+                                           real_sqrt(inverseMoments.z))) {}
 
     Vector6 scaled(const Wrench &wrench) const {
         Vector6 result(wrench.force, axes.transformTranspose(wrench.torque));
@@ -210,7 +209,7 @@ Vector6 between(const Vector6 &a, const Vector6 &b, real prop) { return a * (1 -
 void RigidBody::resist(const Resistance &sum, real duration) {
     if (!hasFiniteMass()) return;
     const real rootMass = real_sqrt(mass);
-    const Scale scale(rootMass, getPrincipalAxesInWorld(), inverseInertia);
+    const Scale scale(possible(Vector3(1, 1, 1) * (1 / rootMass)), getPrincipalAxesInWorld(), inverseInertia);
     const Matrix6 b = scale.scaled(sum, duration);
     const real stiffness = spectralRadius(b);
     if (!(stiffness > EXPLICIT_LIMIT)) return;

@@ -79,7 +79,7 @@ private:
 /// A record is 54 numbers of a state, its flags, and zero. Of a mass or moment of inertia and its inverse the
 /// one follows from the other: it holds the one that was set, and a flag says which.
 constexpr std::size_t FLAGS = 54 * 8, PADDING = 55 * 8, RECORD = 56 * 8;
-constexpr unsigned FLAG_COUNT = 7;
+constexpr unsigned FLAG_COUNT = 10;
 
 /// Writes numbers one after the other, in this machine's order of bytes, and collects flags.
 struct RecordWriter {
@@ -93,6 +93,7 @@ struct RecordWriter {
         next += 8;
     }
     CYCLONE_INLINE void operator()(const bool &flag) { flags = 2 * flags + (flag ? 1 : 0); }
+    CYCLONE_INLINE void operator()(const std::uint8_t &threeFlags) { flags = 8 * flags + threeFlags; }
     CYCLONE_INLINE void operator()(const real &value, const real &inverse, real) {
         const bool inverseFollows = inverse == 1 / value;
         (*this)(inverseFollows);
@@ -112,6 +113,10 @@ struct RecordReader {
         next += 8;
     }
     CYCLONE_INLINE void operator()(bool &flag) { flag = (flags >> --flagsLeft & 1) != 0; }
+    CYCLONE_INLINE void operator()(std::uint8_t &threeFlags) {
+        flagsLeft -= 3;
+        threeFlags = static_cast<std::uint8_t>(flags >> flagsLeft & 7);
+    }
     CYCLONE_INLINE void operator()(real &value, real &inverse, real valueWithoutInverse) {
         bool inverseFollows;
         real number;

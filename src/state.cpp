@@ -81,6 +81,15 @@ bool momentumFits(const State &s) {
     return true;
 }
 
+/// Whether nothing moves it along locked directions.
+bool locksHold(const State &s) {
+    for (unsigned axis = 0; axis < 3; ++axis)
+        if ((s.lockedMotion >> axis & 1) != 0 &&
+            (s.velocity[axis] != 0 || s.acceleration[axis] != 0 || s.memory.acceleration[axis] != 0))
+            return false;
+    return s.lockedMotion < 8;
+}
+
 bool isAtRest(const State &s) {
     return s.velocity == Vector3() && s.rotation == Vector3() && s.angularMomentum == Vector3() &&
            s.lastFrameAcceleration == Vector3() && isZero(s.added) && isZero(s.generated);
@@ -108,6 +117,7 @@ const char *State::findError() const {
     if (!areBearable(inertia)) return "the moments of inertia must not be extreme";
     if (!isUnit(principalAxes, 8 * REAL_EPSILON)) return "the principal axes must be a unit quaternion";
     if (!momentumFits(*this)) return "the angular momentum must match the rotation";
+    if (!locksHold(*this)) return "nothing may move along locked directions";
     if (!isDamping(linearDamping) || !isDamping(angularDamping)) return "the damping must be between 0 and 1";
     if (!isNotNegative(motion)) return "the motion must be finite and not negative";
     if (!isNotNegative(sleepEpsilon)) return "the sleep limit must be finite and not negative";

@@ -53,7 +53,7 @@ struct StateMembers {
         visit(body.inertia, &State::inertia);
         visit(body.inverseInertia, &State::inverseInertia);
     }
-    /// Calls visit(number) for each number and visit(flag) for each flag.
+    /// Calls visit(number) for each number and visit(flag) for each flag and for the locked directions.
     template <class Visit>
     static void visitNumbers(State &state, Visit &&visit) {
         EachNumber<Visit> each{visit};
@@ -81,6 +81,7 @@ struct StateMembers {
         visit(body.awake, &State::awake);
         visit(body.canSleep, &State::canSleep);
         visit(body.faulted, &State::faulted);
+        visit(body.lockedMotion, &State::lockedMotion);
     }
     /// Mass and moments of inertia: calls visit(value, inverse, value whose inverse is 0).
     template <class Body, class Visit>

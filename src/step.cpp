@@ -141,8 +141,9 @@ CYCLONE_INLINE bool StepBlock::commit(const Entry &entry, const Quaternion &orie
 // ---- Around the rotation
 
 CYCLONE_INLINE void StepBlock::gather(const RigidBody &body, const AngularImpulse &impulse, int lane) {
-    const std::size_t *const row = RENUMBERINGS[body.intermediateAxis].axis;
-    const Quaternion q = body.hasPrincipalAxes ? body.orientation * body.principalAxes : body.orientation;
+    const std::size_t *const row = RENUMBERINGS[body.principalFrame.intermediateAxis].axis;
+    const Quaternion q =
+        body.principalFrame.isTurned ? body.orientation * body.principalAxes : body.orientation;
     freeRotation.orientation[0][lane] = q.r;
     storeRenumbered(freeRotation.orientation + 1, row, lane, Vector3(q.i, q.j, q.k));
     storeRenumbered(freeRotation.inverseInertia, row, lane, body.inverseInertia);
@@ -154,16 +155,16 @@ CYCLONE_INLINE void StepBlock::gather(const RigidBody &body, const AngularImpuls
 
 CYCLONE_INLINE void StepBlock::scatter(const Entry &entry, int lane) {
     RigidBody &body = *entry.body;
-    const Renumbering &renumbering = RENUMBERINGS[body.intermediateAxis];
+    const Renumbering &renumbering = RENUMBERINGS[body.principalFrame.intermediateAxis];
     const std::size_t *const row = renumbering.axis;
     const Vector3 v = loadRenumbered(freeRotation.orientation + 1, row, lane);
     Quaternion orientation(freeRotation.orientation[0][lane], v.x, v.y, v.z);
-    if (body.hasPrincipalAxes) orientation *= body.principalAxes.conjugate();
+    if (body.principalFrame.isTurned) orientation *= body.principalAxes.conjugate();
 
     if (!commit(entry, orientation, loadRenumbered(freeRotation.rotation, row, lane),
                 loadRenumbered(freeRotation.finalMomentum, row, lane)))
         return;
-    if (body.hasPrincipalAxes) return body.calculateDerivedData();
+    if (body.principalFrame.isTurned) return body.calculateDerivedData();
     for (int line = 0; line < 3; ++line)
         for (int column = 0; column < 3; ++column)
             body.transform.data[4 * line + column] =
@@ -199,6 +200,7 @@ void StepBlock::rotateLocked(const Entry &entry, const AngularImpulse &impulse) 
 // ---- The step
 
 void StepBlock::add(RigidBody &body) {
+    if (body.lockedMotion != 0) body.dropLockedForces();
     Entry &entry = entries[count];
     const AngularImpulse impulse = kickAndDrift(body, entry);
     if (!body.isFreeRotor()) return rotateLocked(entry, impulse);

@@ -70,6 +70,15 @@ public:
     /// @name Motion
     /// Whatever is set must be finite.
     /// @{
+
+    /// Locks directions of motion, those of the world's axes: a body locked along z stays in its plane to the
+    /// last bit. Velocity and acceleration along a locked direction become 0; from then on no force, impulse,
+    /// acceleration or setter moves the body along it, save for setState. None is locked by default. To lock
+    /// rotations as well, see setInverseInertiaTensor.
+    void setLockedMotion(bool x, bool y, bool z);
+    /// axis: 0, 1 or 2 for x, y or z.
+    bool isMotionLocked(unsigned axis) const { return (lockedMotion >> axis & 1) != 0; }
+
     void setPosition(const Vector3 &worldPoint);
     void setPosition(real x, real y, real z) { setPosition(Vector3(x, y, z)); }
     Vector3 getPosition() const { return transform.getAxisVector(3); }
@@ -232,6 +241,7 @@ public:
         real linearDamping = 1, angularDamping = 1;
         real motion = 0, sleepEpsilon = 0.01;
         bool awake = true, canSleep = false, faulted = false;
+        std::uint8_t lockedMotion = 0;  ///< 1, 2 and 4 for the directions x, y and z
 
         /// Why no body can be in this state; null if one can.
         const char *findError() const;
@@ -252,6 +262,14 @@ private:
     friend class detail::StepBlock;
     friend struct detail::StateMembers;
 
+    /// What is known of the principal axes.
+    struct PrincipalFrame {
+        std::uint8_t intermediateAxis : 2;  ///< that of the middle moment; of equal ones, 1
+        bool isTurned : 1;                  ///< the principal axes are not the body's
+
+        PrincipalFrame() : intermediateAxis(1), isTurned(false) {}
+    };
+
     /// What is true of this object only, and not of a copy of it.
     struct Marks {
         bool inGenerator = false;  ///< a ForceRegistry is calling one of this body's generators
@@ -268,6 +286,14 @@ private:
         (marks.inGenerator ? hasGenerated : hasAdded) = true;
         if (!awake) wakeForForce(force, torque);
     }
+    /// What is wanted along free directions, and along locked ones what is kept.
+    Vector3 possible(const Vector3 &wanted, const Vector3 &kept = Vector3()) const {
+        return lockedMotion == 0
+                   ? wanted
+                   : Vector3(isMotionLocked(0) ? kept.x : wanted.x, isMotionLocked(1) ? kept.y : wanted.y,
+                             isMotionLocked(2) ? kept.z : wanted.z);
+    }
+    void dropLockedForces();
     real largestInverseMoment() const {
         const Vector3 &i = inverseInertia;
         const real larger = i.x > i.y ? i.x : i.y;
@@ -301,10 +327,10 @@ private:
     alignas(64) bool awake = true;
     bool canSleep = false;
     bool faulted = false;
-    bool hasAdded = false;              ///< `added` is not zero
-    bool hasGenerated = false;          ///< `generated` is not zero
-    bool hasPrincipalAxes = false;      ///< `principalAxes` is not the identity
-    std::uint8_t intermediateAxis = 1;  ///< the principal axis of the middle inertia; of equal ones, 1
+    bool hasAdded = false;      ///< `added` is not zero
+    bool hasGenerated = false;  ///< `generated` is not zero
+    std::uint8_t lockedMotion = 0;
+    PrincipalFrame principalFrame;
     Marks marks;
     Matrix4 transform;
     Vector3 velocity;

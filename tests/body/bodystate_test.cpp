@@ -50,6 +50,11 @@ void forEachMember(State &s, const std::function<void(real *, bool *)> &visit) {
     cyclone::detail::StateMembers::visitNumbers(s, [&](auto &member) {
         if constexpr (std::is_same_v<decltype(member), bool &>)
             visit(nullptr, &member);
+        else if constexpr (std::is_same_v<decltype(member), std::uint8_t &>)  // the locked directions
+            for (unsigned bit = 1; bit < 8; bit *= 2) {
+                bool flag = (member & bit) != 0;
+                visit(nullptr, &flag);
+            }
         else
             visit(&member, nullptr);
     });

@@ -80,7 +80,7 @@ private:
     void callBody(Input &input) {
         RigidBody *const its = body(input);
         if (its == nullptr) return;
-        switch (input.below(25)) {
+        switch (input.below(26)) {
             case 0:
                 return its->setMass(input.number());
             case 1:
@@ -134,6 +134,10 @@ private:
             }
             case 23:
                 return its->addResistance(input.number(), input.number());
+            case 24: {
+                const std::uint8_t locks = input.byte();
+                return its->setLockedMotion((locks & 1) != 0, (locks & 2) != 0, (locks & 4) != 0);
+            }
             default:
                 its->calculateDerivedData();
         }
