@@ -261,7 +261,7 @@ void RigidBody::dropLockedForces() {
 }
 
 void RigidBody::wakeForForce(const Vector3 &force, const Vector3 &torque) {
-    if (!faulted && (force != Vector3() || torque != Vector3())) setAwake(true);
+    if (!faulted && (possible(force) != Vector3() || torque != Vector3())) setAwake(true);
 }
 
 void RigidBody::setAwake(bool wake) {
