@@ -91,7 +91,7 @@ std::vector<Wave> wavesAt(const std::vector<cyclone::Waves::Train> &trains, real
     for (const cyclone::Waves::Train &train : trains) {
         const real k = 2 * cyclone::REAL_PI / train.wavelength;
         waves.push_back({train.amplitude, k * std::cos(train.direction), k * std::sin(train.direction),
-                         train.phase - std::sqrt(9.81 * k) * time});
+                         train.phase - frequencyOf(train) * time});
     }
     return waves;
 }

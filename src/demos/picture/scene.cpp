@@ -8,6 +8,10 @@ std::size_t countParts(const Scene &scene) {
     return count;
 }
 
+real frequencyOf(const cyclone::Waves::Train &train) {
+    return cyclone::real_sqrt(9.81 * 2 * cyclone::REAL_PI / train.wavelength);
+}
+
 Vector3 mix(const Vector3 &a, const Vector3 &b, real share) { return a + (b - a) * share; }
 
 Frame interpolated(const Frame &a, const Frame &b, real share) {

@@ -58,6 +58,9 @@ struct Surroundings {
     std::vector<cyclone::Waves::Train> waves;  ///< of the sea
 };
 
+/// The train's ω on deep water, rad/s: ω² = g·k (see cyclone::Waves).
+real frequencyOf(const cyclone::Waves::Train &train);
+
 /// CHASE: from behind. SIDE: from port and a little from behind. SPECTATOR: from one place. PLANE: along −Z
 /// from far off, as flat as a map of the plane z = 0, with the trails.
 enum class Viewpoint { CHASE, SIDE, SPECTATOR, PLANE };

@@ -244,7 +244,8 @@ const char *nameOf(Terrain terrain) {
 
 std::string encodeWave(const cyclone::Waves::Train &wave) {
     return "{\"amplitude\":" + number(wave.amplitude) + ",\"wavelength\":" + number(wave.wavelength) +
-           ",\"direction\":" + number(wave.direction) + ",\"phase\":" + number(wave.phase) + '}';
+           ",\"direction\":" + number(wave.direction) + ",\"frequency\":" + number(frequencyOf(wave)) +
+           ",\"phase\":" + number(wave.phase) + '}';
 }
 
 std::string encodeEvent(const Event &event) {
@@ -296,6 +297,11 @@ Recording::Recording(Subject what) : subject(std::move(what)), columns(subject.c
         require(std::isfinite(wave.wavelength) && wave.wavelength > 0, function,
                 "a wavelength must be positive and finite", {wave.wavelength});
     }
+    require(std::isfinite(scene.cameras.distance) && scene.cameras.distance > 0, function,
+            "the cameras' distance must be positive and finite", {scene.cameras.distance});
+    require(std::isfinite(scene.cameras.height), function, "the cameras' height must be finite",
+            {scene.cameras.height});
+    require(!scene.cameras.viewpoints.empty(), function, "there must be a viewpoint at least");
     require(std::isfinite(scene.newtonsPerMetre) && scene.newtonsPerMetre >= 0, function,
             "newtonsPerMetre must be finite and not negative", {scene.newtonsPerMetre});
 }
@@ -342,7 +348,9 @@ void writePage(std::ostream &out, const Recording &recording) {
         "{\"title\":" + quoted(subject.title) + ",\"kind\":" + quoted(subject.kind) +
         ",\n\"summary\":" + quoted(recording.getSummary()) + ",\n\"terrain\":\"" +
         nameOf(scene.surroundings.terrain) + "\",\"flat\":" + asWord(isFlat) +
-        ",\"waves\":" + list(scene.surroundings.waves, encodeWave) +
+        ",\"cameras\":{\"distance\":" + number(scene.cameras.distance) +
+        ",\"height\":" + number(scene.cameras.height) +
+        "},\"waves\":" + list(scene.surroundings.waves, encodeWave) +
         ",\n\"newtonsPerMetre\":" + number(scene.newtonsPerMetre) +
         ",\n\"events\":" + list(recording.getEvents(), encodeEvent) +
         ",\n\"frames\":" + std::to_string(frames.size()) + ",\"cuts\":" + encodeCuts(frames) +

@@ -265,6 +265,8 @@ TEST(RecordingPage, CarriesWhatTheViewerNeedsBesides) {
     Subject subject = vehicle(2, 1);
     subject.scene.surroundings.terrain = Terrain::SEA;
     subject.scene.surroundings.waves = {{0.25, 12, -0.5, 1.5}};
+    subject.scene.cameras.distance = 15;
+    subject.scene.cameras.height = 0.5;
     subject.scene.newtonsPerMetre = 40;
     subject.scene.bodies[0].parts[1].twoSided = true;
     subject.scene.paint = {{"runway", {{{{0, 0, 1}, {2, 0, 1}, {2, 0, 0}}, {9, 9, 9}}}, false},
@@ -287,6 +289,10 @@ TEST(RecordingPage, CarriesWhatTheViewerNeedsBesides) {
     EXPECT_EQ(wave["wavelength"].number, 12);
     EXPECT_EQ(wave["direction"].number, -0.5);
     EXPECT_EQ(wave["phase"].number, 1.5);
+    // ω² = g·k: on deep water 12 m long waves take √(2π·12 m/g) = 2.7723 s.
+    EXPECT_NEAR(2 * cyclone::REAL_PI / wave["frequency"].number, 2.7723, 1e-4);
+    EXPECT_EQ(data["cameras"]["distance"].number, 15);
+    EXPECT_EQ(data["cameras"]["height"].number, 0.5);
     EXPECT_EQ(data["newtonsPerMetre"].number, 40);
     EXPECT_EQ(data["events"].items.at(0)["time"].number, 0.625);
     EXPECT_EQ(data["events"].items.at(0)["text"].text, "crashed");
@@ -443,6 +449,12 @@ TEST(Recording, RefusesASubjectThatCannotBeDrawn) {
     EXPECT_THROW(Recording{subject}, std::invalid_argument);
     subject = vehicle(1, 0);
     subject.scene.newtonsPerMetre = -1;
+    EXPECT_THROW(Recording{subject}, std::invalid_argument);
+    subject = vehicle(1, 0);
+    subject.scene.cameras.distance = 0;
+    EXPECT_THROW(Recording{subject}, std::invalid_argument);
+    subject = vehicle(1, 0);
+    subject.scene.cameras.viewpoints.clear();
     EXPECT_THROW(Recording{subject}, std::invalid_argument);
 }
 

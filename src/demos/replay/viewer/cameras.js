@@ -9,15 +9,15 @@ const homes = {
     ground: { azimuth: Math.PI / 2, elevation: 0, distance: 1 },
 };
 
-/// A flat scene is orbited from its front, through a lens so long that it stays flat.
-const flatHome = { azimuth: Math.PI / 2, elevation: 0, distance: 80 }, flatness = 8;
+/// A flat scene is orbited from its front, from so many times further off through so much longer a lens.
+const flatness = 40;
 
 class Cameras {
     constructor(run) {
         this.run = run;
         this.mode = 'chase';
         this.settings = {};
-        this.homes = run.flat ? { ...homes, orbit: flatHome } : homes;
+        this.homes = run.flat ? { ...homes, orbit: { azimuth: Math.PI / 2, elevation: 0, distance: flatness * run.cameras.distance / run.radius } } : homes;
         for (const mode in homes) this.reset(mode);
         this.headings = this.smoothHeadings();
         this.heights = this.smooth(Float64Array.from({ length: run.count }, (_, n) => run.parts[0].position[1][n]), 1.5);
@@ -81,10 +81,11 @@ class Cameras {
     /// Eye, target and field of view (vertical, rad) for a moment; `aspect` is the picture's width over its height.
     view(moment, aspect, now) {
         const { run } = this, body = moment.poses[0].position;
-        const target = Vec.add(body, [0, run.middle[1], 0]);
-        if (run.sea) target[1] = moment.value(this.heights) + run.middle[1];
-        const lens = run.flat && this.mode === 'orbit' ? flatness : 1;
-        const fov = 2 * Math.atan(Math.tan(0.36) / lens / Math.min(1, aspect) ** 0.7);
+        const isFlat = run.flat && this.mode === 'orbit', middle = isFlat ? run.cameras.height : run.middle[1];
+        const target = Vec.add(body, [0, middle, 0]);
+        if (run.sea) target[1] = moment.value(this.heights) + middle;
+        const tall = isFlat ? Math.tan(0.425) / flatness : Math.tan(0.36);
+        const fov = 2 * Math.atan(tall / Math.min(1, aspect) ** 0.7);
         const view = this.mode === 'ground' ? this.fromGround(target, fov, aspect) : this.around(moment, target, fov);
         if (!run.space) view.eye[1] = Math.max(view.eye[1], this.highestWave + 0.06 * run.radius + 0.05);
         this.last = this.glide(view, now);

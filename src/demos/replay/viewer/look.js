@@ -5,7 +5,7 @@ const looks = {
     light: {
         zenith: '#78aed6', horizon: '#eaf0f1', ground: '#d5dbc6', line: '#8b9a78', deep: '#3f7f96', shallow: '#79b3bd',
         foam: '#ffffff', trail: '#b3402a', wind: '#33475a', shadow: '#2b3a33', ambient: 0.68, sunlight: 0.34, glitter: 0.3, cloud: 0.75,
-        space: '#1b2130', arrow: colour => colour,
+        arrow: colour => colour,
     },
     dark: {
         zenith: '#0b131c', horizon: '#2c3d4b', ground: '#1e2723', line: '#61746a', deep: '#0c2735', shallow: '#1d4a5b',
@@ -13,6 +13,12 @@ const looks = {
         space: '#0a0d16', arrow: colour => lightened(colour, 0.35),
     },
 };
+
+/// Space is as dark by day; a flat scene shows its colours as they are.
+function lookAt(run, theme) {
+    const look = looks[run.space ? 'dark' : theme];
+    return run.flat ? { ...look, ambient: 0.9, sunlight: 0.25 } : look;
+}
 
 const rgb = hex => [1, 3, 5].map(at => parseInt(hex.slice(at, at + 2), 16) / 255);
 const lightened = (hex, much) => '#' + rgb(hex).map(level => Math.round(255 * mix(level, 1, much)).toString(16).padStart(2, '0')).join('');

@@ -27,7 +27,7 @@ class Run {
         const decode = column => decodeColumn(column, data.frames);
         Object.assign(this, {
             title: data.title, kind: data.kind, summary: data.summary, sea: data.terrain === 'sea', space: data.terrain === 'space',
-            flat: data.flat, count: data.frames,
+            flat: data.flat, cameras: data.cameras, count: data.frames,
             newtonsPerMetre: data.newtonsPerMetre, cuts: new Set(data.cuts), time: decode(data.time),
             windspeed: data.windspeed.map(decode),
             parts: [], bodies: [],
@@ -38,7 +38,7 @@ class Run {
             waves: data.waves.map(wave => {
                 const k = 2 * Math.PI / wave.wavelength;
                 return {
-                    amplitude: wave.amplitude, phase: wave.phase, frequency: Math.sqrt(9.81 * k),
+                    amplitude: wave.amplitude, phase: wave.phase, frequency: wave.frequency,
                     k: [k * Math.cos(wave.direction), k * Math.sin(wave.direction)],
                 };
             }),

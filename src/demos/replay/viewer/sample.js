@@ -14,7 +14,7 @@ function sampleRecording() {
         face('#c8553d', [0.25, 0, 0], [-0.3, 0, 0], [-0.3, 0.06, 1.5], [-0.1, 0.06, 1.5]),
         face('#c8553d', [-0.85, 0.1, 0], [-1.15, 0.5, 0], [-1.3, 0.5, 0], [-1.15, 0.1, 0])];
     return {
-        title: 'A sample circle', kind: 'workshop', frames, cuts: [], time: times, terrain: 'land', flat: false, waves: [], fixtures: [], newtonsPerMetre: 20,
+        title: 'A sample circle', kind: 'workshop', frames, cuts: [], time: times, terrain: 'land', flat: false, cameras: { distance: 6, height: 0 }, waves: [], fixtures: [], newtonsPerMetre: 20,
         summary: 'Made up by the page, so that one can work on it without a recording.\nlength: 12 s\nradius: 30 m',
         events: [{ time: 3, text: 'highest' }, { time: 9, text: 'lowest' }], windspeed: [4, 0, 1],
         bodies: [{ trail: true, ghost: false, parts: [

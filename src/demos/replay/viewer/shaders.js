@@ -5,8 +5,9 @@ const shaders = {
     /// Shared: the sky in a direction, and the haze that takes everything to the horizon.
     air: `
         uniform vec3 zenith, horizon, eye, sun;
+        uniform float reach;  // m, of the sight
         vec3 sky(vec3 way) { return mix(horizon, zenith, pow(clamp(way.y, 0.0, 1.0), 0.55)); }
-        vec3 haze(vec3 colour, vec3 world, float reach) {
+        vec3 haze(vec3 colour, vec3 world) {
             float d = distance(world, eye) / reach;
             return mix(colour, horizon, 1.0 - exp(-d * d));
         }`,
@@ -127,7 +128,7 @@ const shaders = {
                 float drawn = max(max(fine * 0.45, lines(world.xz, grid.x, 0.6)), lines(world.xz, grid.x * 10.0, 1.1) * 1.3);
                 base = mix(base, line, min(drawn, 1.3) * strength * 0.75);
                 base = mix(base, shade, shadowAt(world.xz) * (SEA == 1 ? 0.35 : 0.5));
-                colour = vec4(haze(base, world, 1500.0), 1.0);
+                colour = vec4(haze(base, world), 1.0);
             }`,
     },
 
@@ -150,7 +151,7 @@ const shaders = {
             out vec4 colour;
             void main() {
                 vec3 lit = tint * (ambient + 0.08 + sunlight * sun.y);
-                colour = vec4(haze(mix(lit, shade, shadowAt(world.xz) * 0.5), world, 1500.0), 1.0);
+                colour = vec4(haze(mix(lit, shade, shadowAt(world.xz) * 0.5), world), 1.0);
             }`,
     },
 
@@ -177,7 +178,7 @@ const shaders = {
                 vec3 n = normalize(gl_FrontFacing ? normal : -normal);
                 float facing = dot(n, sun), light = ambient + 0.08 * n.y + sunlight * max(facing, -thin * facing);
                 vec3 lit = mix(tint * light, ink.rgb * mix(1.0, light, 0.35), ink.a);
-                colour = vec4(haze(lit, world, 1500.0), opacity);
+                colour = vec4(haze(lit, world), opacity);
             }`,
     },
 

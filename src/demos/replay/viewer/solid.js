@@ -141,11 +141,12 @@ class SolidPainter {
 
     paint({ view, moment, look, arrows, width, height }) {
         const { gl, run } = this, distance = Vec.size(Vec.sub(view.eye, view.target));
-        const near = clamp(0.05 * distance, 0.02 * run.radius, 2);
+        const near = run.flat ? 0.5 * distance : clamp(0.05 * distance, 0.02 * run.radius, 2);
         const camera = Mat.look(view.eye, view.target);
         const viewProjection = Mat.multiply(Mat.perspective(view.fov, width / height, near, 40000), camera);
         const pixel = 2 * Math.tan(view.fov / 2) / height;
         const shared = {
+            reach: run.space ? 1e9 : Math.max(1500, 8 * distance),
             viewProjection, eye: view.eye, sun, zenith: rgb(run.space ? look.space : look.zenith),
             horizon: rgb(run.space ? look.space : look.horizon), ambient: look.ambient, sunlight: look.sunlight,
             foam: rgb(look.foam), cloud: run.space ? 0 : look.cloud, picture: [width, height], opacity: 1, ink: [0, 0, 0, 0], time: moment.time,

@@ -18,6 +18,7 @@ class Stage {
         this.scale = document.getElementById('scale');
         this.pills = [...this.element.querySelectorAll('.pill')];
         this.cameras = new Cameras(run);
+        if (run.flat) this.element.querySelector('[value=orbit] + span').textContent = 'Flat';
         this.choosePainter();
         this.names = [...run.arrows, { name: 'wind' }].map(() => this.labels.appendChild(document.createElement('span')));
         this.listen();
@@ -37,7 +38,7 @@ class Stage {
         const width = Math.max(1, Math.round(clientWidth * sharpness)), height = Math.max(1, Math.round(clientHeight * sharpness));
         if (this.canvas.width !== width) this.canvas.width = width;
         if (this.canvas.height !== height) this.canvas.height = height;
-        const look = looks[theme], view = this.cameras.view(moment, width / height, now);
+        const look = lookAt(this.run, theme), view = this.cameras.view(moment, width / height, now);
         const arrows = withArrows ? arrowsAt(this.run, moment, look) : [];
         this.painter.paint({ view, moment, look, arrows, width, height });
         this.placeLabels(arrows, view, clientWidth, clientHeight);
