@@ -72,12 +72,7 @@ void Mission::fillProfile() {
         {"speed", "m/s", [&] { return body.getVelocity().magnitude(); }, "speed", 1},
         {"climb", "m/s", [&] { return body.getVelocity().y; }, "speed", 1},
         {"heading", "°", [this] { return ship.getHeading() / DEGREE; }, "angle", 0},
-        {"swing", "°",
-         [this] {
-             const Vector3 rod = ship.getRodForce() * -1;
-             return ship.isHooked() ? cyclone::real_atan2(-rod.x, rod.y) / DEGREE : 0;
-         },
-         "angle", 0},
+        {"swing", "°", [this] { return ship.getSwing() / DEGREE; }, "angle", 0},
         {"thrust", "N", [this] { return ship.getPush().magnitude(); }, "force", 0},
         {"rod", "N", [this] { return ship.getRodForce().magnitude(); }, "force", 0},
         {"fuel", "s", [this] { return fuel; }, "fuel", 1},

@@ -1,5 +1,6 @@
 #include "thrust/parts.h"
 
+#include "base/random.h"
 #include "picture/solids.h"
 
 namespace thrust {
@@ -7,10 +8,12 @@ namespace thrust {
 namespace {
 
 constexpr Colour HULL{235, 240, 248}, WINDOW{90, 200, 250}, FIN{240, 120, 60}, FLAME{255, 190, 60},
-    CORE{255, 245, 200}, POD{120, 235, 140}, BAND{40, 110, 70}, ROD{190, 205, 220}, ROCK{78, 66, 92},
-    DEEP{52, 44, 64}, EDGE{200, 170, 235};
-constexpr real THICKNESS = 0.5, NOZZLE = -0.8, FLAME_LENGTH = 2;    // m
-constexpr real ROCK_FRONT = 0.8, ROCK_BACK = -4, EDGE_WIDTH = 0.3;  // m; z of the rock's faces
+    CORE{255, 245, 200}, POD{120, 235, 140}, BAND{40, 110, 70}, ROD{190, 205, 220}, ROCK{112, 88, 128},
+    DEEP{70, 56, 84}, EDGE{215, 180, 255}, STAR{150, 160, 190};
+constexpr int STARS = 250;
+constexpr real STARS_BEYOND = 40, STARS_Z = -8;                      // m
+constexpr real THICKNESS = 0.5, NOZZLE = -0.8, FLAME_LENGTH = 2;     // m
+constexpr real ROCK_FRONT = 0.8, ROCK_BACK = -4, EDGE_WIDTH = 0.25;  // m; z of the rock's faces
 
 /// A flat solid about the plane z = 0; corners counter-clockwise seen from +Z, convex.
 void addPlate(Part &part, const std::vector<Vector3> &corners, real thickness, Colour colour) {
@@ -108,6 +111,27 @@ std::vector<Pose> getPoses(const Ship &ship) {
     return poses;
 }
 
+namespace {
+
+/// Far behind, so that one sees the ship move where there is no rock.
+Part makeStars(const Level &level) {
+    Part part;
+    part.name = "stars";
+    part.twoSided = true;
+    Random random(1);
+    for (int n = 0; n < STARS; ++n) {
+        const Vector3 low(random.between(-STARS_BEYOND, level.width + STARS_BEYOND),
+                          random.between(0, level.height + STARS_BEYOND), STARS_Z);
+        const real size = random.between(0.1, 0.25);
+        addFace(part,
+                {low, low + Vector3(size, 0, 0), low + Vector3(size, size, 0), low + Vector3(0, size, 0)},
+                STAR);
+    }
+    return part;
+}
+
+}  // namespace
+
 std::vector<Part> makeRock(const Level &level) {
     Part front, depth, edge;
     front.name = "rock";
@@ -134,7 +158,7 @@ std::vector<Part> makeRock(const Level &level) {
                 {at(wall.from, z), at(wall.to, z), at(wall.to + inwards, z), at(wall.from + inwards, z)},
                 EDGE);
     }
-    return {front, depth, edge};
+    return {makeStars(level), front, depth, edge};
 }
 
 }  // namespace thrust

@@ -8,15 +8,16 @@ namespace {
 
 using cyclone::real_clamp;
 
-constexpr real SPEED = 3, SPEED_WITH_POD = 2.2, SPEED_TO_RING = 0.8;  // m/s, along the way
-constexpr real LIFT = 3;              // m: straight down to the ring, and straight up from there
-constexpr real LEAD_FREQUENCY = 0.7;  // rad/s: how softly the lead follows the marker
-constexpr real LONGEST_LEAD = 9;      // m, between the two
-constexpr real CORNER = 1.5;          // m: how near the lead goes to each place on the way
-constexpr real CLEARANCE = 14;        // m above the map, where the way ends
+constexpr real SPEED = 3, SPEED_WITH_POD = 2, SPEED_TO_RING = 0.8;  // m/s, along the way
+constexpr real LIFT = 3;  // m: straight down to the ring, and straight up from there
+// rad/s: how softly it follows the marker.
+constexpr real LEAD_FREQUENCY = 0.8, LEAD_FREQUENCY_WITH_POD = 0.4;
+constexpr real LONGEST_LEAD = 9;  // m, between the two
+constexpr real CORNER = 2.5;      // m: how near the lead goes to each place on the way
+constexpr real CLEARANCE = 14;    // m above the map, where the way ends
 
 // Of the ship about where it should be, and of the pod, rad/s; and their damping, of critical.
-constexpr real SHIP_FREQUENCY = 1.2, POD_FREQUENCY = 0.6, DAMPING = 0.9;
+constexpr real SHIP_FREQUENCY = 0.9, POD_FREQUENCY = 0.35, DAMPING = 0.9;
 constexpr real MOST_ACCELERATION = 1.2, MOST_POD_ACCELERATION = 0.7;  // m/s²
 constexpr real STEEPEST = 1.0;                                        // rad off the vertical
 
@@ -73,7 +74,7 @@ void Pilot::advanceLead(real speed, real duration) {
                          : marker + (corner - marker).unit() * (speed * duration);
         if (marker == corner && (lead.position - corner).magnitude() < CORNER) ++next;
     }
-    const real f = LEAD_FREQUENCY;
+    const real f = isOnWayBack ? LEAD_FREQUENCY_WITH_POD : LEAD_FREQUENCY;
     lead.acceleration = (marker - lead.position) * (f * f) - lead.velocity * (2 * f);
     lead.velocity += lead.acceleration * duration;
     lead.position += lead.velocity * duration;

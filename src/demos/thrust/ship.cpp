@@ -1,6 +1,6 @@
 #include "thrust/ship.h"
 
-#include <algorithm>
+#include <cmath>
 
 namespace thrust {
 
@@ -157,6 +157,11 @@ void Ship::breakUp() {
 }
 
 real Ship::getHeading() const { return headingOf(body); }
+
+real Ship::getSwing() const {
+    const Vector3 toPod = pod.getPosition() - body.getPosition();
+    return hooked ? cyclone::real_atan2(toPod.x, -toPod.y) : 0;
+}
 
 Vector3 Ship::getRodForce() const { return hooked ? rod.getForce(body) : Vector3(); }
 

@@ -79,6 +79,8 @@ public:
     const cyclone::RigidBody &getWreck(std::size_t part) const { return wreck.at(part); }
 
     real getHeading() const;
+    /// Of the rod, once it is hooked: how far the pod has swung to the right, rad; else 0.
+    real getSwing() const;
     Vector3 getPush() const { return engine.getForce(body); }  ///< N, world
     Vector3 getRodForce() const;                               ///< on the ship, N, world
 
