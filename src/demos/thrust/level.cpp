@@ -4,6 +4,7 @@
 #include <map>
 #include <sstream>
 #include <stdexcept>
+#include <utility>
 
 #include "base/text.h"
 #include "thrust/level_texts.h"
@@ -16,8 +17,14 @@ namespace {
 class Map {
 public:
     void addRow(const std::string &row) {
+        for (std::size_t column = 0; column < row.size(); ++column) addMark(row[column], column);
         rows.push_back(row);
         columns = std::max(columns, static_cast<int>(row.size()));
+    }
+    bool has(char mark) const { return marks.count(mark) > 0; }
+    Vector3 placeOf(char mark) const {
+        const auto [column, row] = marks.at(mark);
+        return place(column, row);
     }
     int width() const { return columns; }
     int height() const { return static_cast<int>(rows.size()); }
@@ -33,8 +40,17 @@ public:
     }
 
 private:
+    void addMark(char mark, std::size_t column) {
+        if (mark == ' ' || mark == '#') return;
+        if (mark != 'S' && mark != 'P' && (mark < 'a' || mark > 'z'))
+            throw std::runtime_error(std::string("the map has an unknown mark, ") + mark);
+        if (!marks.emplace(mark, std::make_pair(static_cast<int>(column), height())).second)
+            throw std::runtime_error(std::string("the map has two marks ") + mark);
+    }
+
     std::vector<std::string> rows;
     int columns = 0;
+    std::map<char, std::pair<int, int>> marks;  ///< column and row
 };
 
 constexpr int BORDER = 40, FOOT = 10;  // how far the rock goes on beyond the map, in characters
@@ -86,23 +102,11 @@ void addRow(Level &level, const Map &map, int row) {
 }
 
 void readMap(Level &level, const Map &map) {
-    std::map<char, Vector3> marks;
-    for (int row = 0; row < map.height(); ++row)
-        for (int column = 0; column < map.width(); ++column) {
-            const char mark = map.at(column, row);
-            const bool isKnown =
-                mark == ' ' || mark == '#' || mark == 'S' || mark == 'P' || (mark >= 'a' && mark <= 'z');
-            if (!isKnown) throw std::runtime_error(std::string("the map has an unknown mark, ") + mark);
-            if (mark == ' ' || mark == '#') continue;
-            if (!marks.emplace(mark, map.place(column, row)).second)
-                throw std::runtime_error(std::string("the map has two marks ") + mark);
-        }
-    if (marks.count('S') == 0 || marks.count('P') == 0)
-        throw std::runtime_error("the map needs a ship, S, and a pod, P");
-    level.start = marks['S'];
-    level.pod = marks['P'] - Vector3(0, Level::DOWN / 2, 0);
-    for (const auto &[mark, place] : marks)
-        if (mark >= 'a') level.way.push_back(place);
+    if (!map.has('S') || !map.has('P')) throw std::runtime_error("the map needs a ship, S, and a pod, P");
+    level.start = map.placeOf('S');
+    level.pod = map.placeOf('P') - Vector3(0, Level::DOWN / 2, 0);
+    for (char mark = 'a'; mark <= 'z'; ++mark)
+        if (map.has(mark)) level.way.push_back(map.placeOf(mark));
     level.width = (map.width() - 1) * Level::ACROSS;
     level.height = (map.height() - 1) * Level::DOWN;
     for (int row = -1; row < map.height() + FOOT; ++row) addRow(level, map, row);

@@ -88,6 +88,7 @@ Ship::Ship(cyclone::World &w, const Vector3 *windspeed)
     cyclone::ForceRegistry &forces = world.getForceRegistry();
     forces.add(&body, &engine);
     forces.add(&body, &jets);
+    if (windspeed == nullptr) return;
     forces.add(&body, &air);
     forces.add(&pod, &podAir);
 }

@@ -42,8 +42,8 @@ public:
     static constexpr real ROD_LENGTH = 5;              ///< m, between the centres of mass
     static constexpr real POD_RADIUS = 0.6;            ///< m
 
-    /// Adds ship and pod to the world. The windspeed (see aero.h) is read at each step. Both must outlive the
-    /// ship.
+    /// Adds ship and pod to the world. The windspeed (see aero.h) of the thin air is read at each step; null:
+    /// there is no air. Both must outlive the ship.
     Ship(cyclone::World &world, const Vector3 *windspeed);
     ~Ship();
     Ship(const Ship &) = delete;
