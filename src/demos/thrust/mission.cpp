@@ -27,7 +27,7 @@ Scene makeScene(const Level &level) {
     scene.cameras.viewpoints = {Viewpoint::PLANE, Viewpoint::SPECTATOR};
     scene.cameras.spectator = Vector3(-10, level.height / 2 + 8, 45);
     scene.cameras.spectatorFollows = true;
-    scene.cameras.distance = 26;
+    scene.cameras.distance = 23;
     scene.cameras.windHeight = 4;
     return scene;
 }
@@ -56,7 +56,7 @@ void Mission::fillProfile() {
     profile.settings = {{"gusts", "SPEED", "How much the air moves (root mean square), m/s", 1, 0, 4}};
     profile.controls = {
         {"heading", -180, 180, 0, 'a', 'd', 10, false},
-        {"thrust", 0, 1, 0, 's', 'w', 0.1, true},
+        {"thrust", 0, 1, 0, 's', 'w', 0.05, true},
     };
     profile.help = {
         "A D   turn the nose left, right",

@@ -14,6 +14,7 @@ constexpr real LIFT = 3;  // m: straight down to the ring, and straight up from 
 constexpr real LEAD_FREQUENCY = 0.8, LEAD_FREQUENCY_WITH_POD = 0.4;
 constexpr real LONGEST_LEAD = 9;  // m, between the two
 constexpr real CORNER = 2.5;      // m: how near the lead goes to each place on the way
+constexpr real LOST = 12;         // m from the lead: somebody else has flown
 constexpr real CLEARANCE = 14;    // m above the map, where the way ends
 
 // Of the ship about where it should be, and of the pod, rad/s; and their damping, of critical.
@@ -37,29 +38,40 @@ Pilot::Pilot(const Level &level)
     : wayIn(level.way), exit(level.start.x, level.height + CLEARANCE, 0), gravity(level.gravity) {}
 
 void Pilot::startOver(const Ship &ship) {
-    marker = ship.getBody().getPosition();
-    lead = {marker, Vector3(), Vector3()};
+    isOnWayBack = false;
+    heading = throttle = 0;
     way = wayIn;
     way.push_back(ship.getRodEnd() + Vector3::UP * LIFT);
     way.push_back(ship.getRodEnd());
-    next = 0;
-    isOnWayBack = false;
-    heading = throttle = 0;
+    joinWay(ship);
 }
 
 /// From here on the way is that of the rod's middle.
 void Pilot::turnBack(const Ship &ship) {
     isOnWayBack = true;
-    marker = (ship.getBody().getPosition() + ship.getPod().getPosition()) * 0.5;
-    lead = {marker, Vector3(), Vector3()};
-    way = {marker + Vector3::UP * LIFT};
+    way = {ship.getPod().getPosition() + Vector3::UP * (LIFT + Ship::ROD_LENGTH / 2)};
     way.insert(way.end(), wayIn.rbegin(), wayIn.rend());
     way.push_back(exit);
-    next = 0;
+    joinWay(ship);
+}
+
+void Pilot::joinWay(const Ship &ship) {
+    marker = placeOf(ship);
+    lead = {marker, Vector3(), Vector3()};
+    const auto nearer = [this](const Vector3 &a, const Vector3 &b) {
+        return (a - marker).squareMagnitude() < (b - marker).squareMagnitude();
+    };
+    next = static_cast<std::size_t>(std::min_element(way.begin(), way.end(), nearer) - way.begin());
+}
+
+Vector3 Pilot::placeOf(const Ship &ship) const {
+    const Vector3 place = ship.getBody().getPosition();
+    return isOnWayBack ? (place + ship.getPod().getPosition()) * 0.5 : place;
 }
 
 void Pilot::fly(const Ship &ship, real duration) {
     if (ship.isHooked() && !isOnWayBack) turnBack(ship);
+    if ((placeOf(ship) - lead.position).magnitude() > LOST) joinWay(ship);
     const bool isLastLeg = next + 1 >= way.size();
     advanceLead(isOnWayBack ? SPEED_WITH_POD : isLastLeg ? SPEED_TO_RING : SPEED, duration);
     push(ship, isOnWayBack ? forceWithPod(ship) : forceAlone(ship));

@@ -8,7 +8,8 @@ namespace thrust {
 
 /// Flies the level's way to the rod's end, and back with the pod into the sky. Both are led by a point that
 /// moves along the way and waits for them. With the pod on the rod he flies the pod: he holds the ship where
-/// the rod pulls the pod as it should go, so that it hardly swings.
+/// the rod pulls the pod as it should go, so that it hardly swings. Wherever he takes over, he makes for the
+/// nearest place on the way.
 class Pilot {
 public:
     explicit Pilot(const Level &level);
@@ -27,7 +28,9 @@ private:
         Vector3 position, velocity, acceleration;
     };
 
+    Vector3 placeOf(const Ship &ship) const;
     void turnBack(const Ship &ship);
+    void joinWay(const Ship &ship);
     void advanceLead(real speed, real duration);
     Vector3 forceAlone(const Ship &ship) const;
     Vector3 forceWithPod(const Ship &ship) const;

@@ -1,6 +1,6 @@
 #include "thrust/ship.h"
 
-#include <cmath>
+#include "base/angle.h"
 
 namespace thrust {
 
@@ -60,13 +60,8 @@ void place(RigidBody &body, const Vector3 &position, const Vector3 &gravity) {
 
 }  // namespace
 
-real wrapAngle(real angle) {
-    const real turns = std::floor(angle / (2 * cyclone::REAL_PI) + 0.5);
-    return angle - turns * 2 * cyclone::REAL_PI;
-}
-
 void AttitudeJets::updateForce(RigidBody *body, real) {
-    const real error = wrapAngle(heading - headingOf(*body));  // to the right; about Z that is negative
+    const real error = demo::wrapAngle(heading - headingOf(*body));  // to the right; about Z that is negative
     const real torque = -TURN_FREQUENCY * TURN_FREQUENCY * INERTIA * error -
                         2 * TURN_DAMPING * TURN_FREQUENCY * INERTIA * body->getRotation().z;
     body->addTorque(Vector3(0, 0, real_clamp(torque, -MAX_TORQUE, MAX_TORQUE)));

@@ -18,9 +18,6 @@ using cyclone::Quaternion;
 using cyclone::real;
 using cyclone::Vector3;
 
-/// The angle in [−π, π) that differs from this one by whole turns.
-real wrapAngle(real angle);
-
 /// Small jets that turn a body about Z to a heading and hold it there, as a damped spring does, within what
 /// torque they have.
 class AttitudeJets : public cyclone::ForceGenerator {

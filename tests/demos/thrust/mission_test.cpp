@@ -127,6 +127,16 @@ TEST(ThrustMission, ThePilotFetchesThePodInGustsToo) {
     for (const std::size_t level : {1u, 2u, 3u}) expectAllFetched(level, 2, GALE);
 }
 
+TEST(ThrustMission, ThePilotTakesOverWhereverTheShipIs) {
+    Mission mission(2);
+    begun(mission);
+    run(mission, 25, true);
+    const Vector3 place = mission.getShip().getBody().getPosition();
+    mission.getShip().getBody().setPosition(place + Vector3(20, 2, 0));  // along the hall
+    run(mission, LONGEST, true);
+    EXPECT_EQ(mission.getOutcome(), Outcome::FETCHED) << mission.getSummary();
+}
+
 // ---- Its rules
 
 TEST(ThrustMission, TheShipHangsUntilTheEngineBurnsAndThenFalls) {

@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "base/angle.h"
 #include "base/random.h"
 #include "frames.h"
 
@@ -192,8 +193,7 @@ TEST(ThrustShip, FallingFreelyBothTurnAboutTheirCentreOfMass) {
         const Vector3 apart = pod.getPosition() - body.getPosition();
         const Vector3 relative = pod.getVelocity() - body.getVelocity();
         ASSERT_NEAR((apart % relative).z * reduced, L * L * rate * reduced, 0.005 * L * L * rate * reduced);
-        ASSERT_NEAR(thrust::wrapAngle(space.ship.getSwing() - 0.3 - rate * time), 0,
-                    0.02 * rate * time + 0.01);
+        ASSERT_NEAR(demo::wrapAngle(space.ship.getSwing() - 0.3 - rate * time), 0, 0.02 * rate * time + 0.01);
     }
 }
 
