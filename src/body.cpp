@@ -90,9 +90,9 @@ void RigidBody::setPrincipalInertia(const Matrix3 &tensor, bool isInverse, const
 
 void RigidBody::setPrincipalFrame(const Vector3 &inverseMoments, const Quaternion &axes) {
     inverseInertia = inverseMoments;
-    principalFrame.intermediateAxis = axisOfIntermediateValue(inverseInertia) & 3;
     principalAxes = axes;
-    principalFrame.isTurned = axes != Quaternion();
+    principalFrame = axisOfIntermediateValue(inverseInertia);
+    if (axes != Quaternion()) principalFrame |= TURNED;
 }
 
 void RigidBody::setInertiaTensor(const Matrix3 &inertiaTensor) {
