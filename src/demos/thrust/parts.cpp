@@ -11,9 +11,10 @@ constexpr Colour HULL{235, 240, 248}, WINDOW{90, 200, 250}, FIN{240, 120, 60}, F
     CORE{255, 245, 200}, POD{120, 235, 140}, BAND{40, 110, 70}, ROD{190, 205, 220}, ROCK{112, 88, 128},
     DEEP{70, 56, 84}, EDGE{215, 180, 255}, STAR{150, 160, 190};
 constexpr int STARS = 250;
-constexpr real STARS_BEYOND = 40, STARS_Z = -8;                      // m
-constexpr real THICKNESS = 0.5, NOZZLE = -0.8, FLAME_LENGTH = 2;     // m
-constexpr real ROCK_FRONT = 0.8, ROCK_BACK = -4, EDGE_WIDTH = 0.25;  // m; z of the rock's faces
+constexpr real STARS_BEYOND = 40, STARS_Z = -8;                   // m
+constexpr real THICKNESS = 0.5, NOZZLE = -0.8, FLAME_LENGTH = 2;  // m
+constexpr real ROCK_FRONT = 0.8, ROCK_BACK = -4, EDGE_WIDTH = 0.25,
+               EDGE_OVERLAP = 0.08;  // m; z of the rock's faces
 
 /// A flat solid about the plane z = 0; corners counter-clockwise seen from +Z, convex.
 void addPlate(Part &part, const std::vector<Vector3> &corners, real thickness, Colour colour) {
@@ -153,10 +154,10 @@ std::vector<Part> makeRock(const Level &level) {
                 DEEP);
         const Vector3 along = (wall.to - wall.from).unit();
         const Vector3 inwards = Vector3(-along.y, along.x, 0) * EDGE_WIDTH;
-        const real z = ROCK_FRONT + 0.05;
-        addFace(edge,
-                {at(wall.from, z), at(wall.to, z), at(wall.to + inwards, z), at(wall.from + inwards, z)},
-                EDGE);
+        // A little longer than the wall: around a corner the pieces meet.
+        const Vector3 from = at(wall.from - along * EDGE_OVERLAP, ROCK_FRONT + 0.05);
+        const Vector3 to = at(wall.to + along * EDGE_OVERLAP, ROCK_FRONT + 0.05);
+        addFace(edge, {from, to, to + inwards, from + inwards}, EDGE);
     }
     return {makeStars(level), front, depth, edge};
 }

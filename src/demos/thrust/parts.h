@@ -15,7 +15,7 @@ std::vector<Body> makeBodies();
 /// Where those parts are.
 std::vector<Pose> getPoses(const Ship &ship);
 
-/// The rock, and its surface as a bright edge.
+/// Stars; the rock, and its surface as a bright edge.
 std::vector<Part> makeRock(const Level &level);
 
 }  // namespace thrust
