@@ -102,7 +102,8 @@ std::vector<Pose> getPoses(const Ship &ship) {
     // Without a push it is inside the hull.
     const real shown = FLAME_LENGTH * (ship.getThrottle() - 1);
     const Vector3 nozzle(ship.getThrottle() > 0 ? NOZZLE - 0.3 * shown : 1, 0, 0);
-    poses.push_back({body.getPointInWorldSpace(nozzle), body.getOrientation()});
+    const cyclone::RigidBody &hull = ship.isBroken() ? ship.getWreck(0) : body;
+    poses.push_back({hull.getPointInWorldSpace(nozzle), hull.getOrientation()});
 
     poses.push_back(poseOf(pod));
     const Vector3 end = ship.isHooked() ? body.getPosition() : ship.getRodEnd();
