@@ -11,8 +11,8 @@ constexpr Colour HULL{235, 240, 248}, WINDOW{90, 200, 250}, FIN{240, 120, 60}, F
     CORE{255, 245, 200}, POD{120, 235, 140}, BAND{40, 110, 70}, ROD{190, 205, 220}, ROCK{112, 88, 128},
     DEEP{70, 56, 84}, EDGE{215, 180, 255}, STAR{150, 160, 190};
 constexpr int STARS = 250;
-constexpr real STARS_BEYOND = 40, STARS_Z = -8;                   // m
-constexpr real THICKNESS = 0.5, NOZZLE = -0.8, FLAME_LENGTH = 2;  // m
+constexpr real STARS_BEYOND = 40, STARS_Z = -8;                     // m
+constexpr real THICKNESS = 0.5, NOZZLE = -0.8, FLAME_LENGTH = 1.6;  // m
 constexpr real ROCK_FRONT = 0.8, ROCK_BACK = -4, EDGE_WIDTH = 0.25,
                EDGE_OVERLAP = 0.08;  // m; z of the rock's faces
 
@@ -99,9 +99,9 @@ std::vector<Pose> getPoses(const Ship &ship) {
     std::vector<Pose> poses;
     for (std::size_t n = 0; n < Ship::WRECK_PARTS; ++n)
         poses.push_back(poseOf(ship.isBroken() ? ship.getWreck(n) : body));
-    // Without a push it is inside the hull.
-    const real shown = FLAME_LENGTH * (ship.getThrottle() - 1);
-    const Vector3 nozzle(ship.getThrottle() > 0 ? NOZZLE - 0.3 * shown : 1, 0, 0);
+    // The less it burns the deeper the flame is in the hull; without a push all of it.
+    const real throttle = ship.getThrottle();
+    const Vector3 nozzle(throttle > 0 ? NOZZLE + 0.5 * (1 - throttle) : NOZZLE + FLAME_LENGTH, 0, 0);
     const cyclone::RigidBody &hull = ship.isBroken() ? ship.getWreck(0) : body;
     poses.push_back({hull.getPointInWorldSpace(nozzle), hull.getOrientation()});
 
