@@ -89,7 +89,8 @@ void Mission::fillProfile() {
 void Mission::prepare(std::uint64_t seed, const std::vector<real> &settings) {
     random = Random(seed);
     wind = Wind(Vector3(), settings.at(GUSTS), GUST_MEMORY, profile.step, random.next());
-    windspeed = Vector3();
+    for (real time = 0; time < 3 * GUST_MEMORY; time += profile.step)
+        advanceWind();  // it does not begin calm
     topSpeed = 0;
 }
 
@@ -111,13 +112,17 @@ void Mission::steer() {
 }
 
 void Mission::beforeStep() {
-    wind.advance();
-    windspeed = wind.getWindspeed();
-    windspeed.z = 0;
+    advanceWind();
     ship.setHeading(getControl(HEADING) * DEGREE);
     burn();
     ship.advanceWinch(profile.step);
     outlines = getOutlines();
+}
+
+void Mission::advanceWind() {
+    wind.advance();
+    windspeed = wind.getWindspeed();
+    windspeed.z = 0;
 }
 
 void Mission::burn() {

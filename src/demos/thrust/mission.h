@@ -49,6 +49,7 @@ private:
     };
 
     void fillProfile();
+    void advanceWind();
     void burn();
     void hookIfReached();
     Outlines getOutlines() const;
