@@ -83,9 +83,9 @@ TEST(DemoInteractive, TheAircraftFliesByTheClassicKeys) {
 
 TEST(DemoInteractive, TheBoatSailsByTheClassicKeys) {
     // First amidships.
-    expectRecorded<Sailing>(
-        {"w", "a", "d", "d", "q", "e", "e", "w"},
-        {"rudder 0", "rudder -4", "rudder 0", "rudder 4", "sail -4", "sail 0", "sail 4", "sail 0"});
+    expectRecorded<Sailing>({"w", "a", "d", "d", "q", "e", "z", "x", "x", "w"},
+                            {"rudder 0", "rudder -4", "rudder 0", "rudder 4", "sheet ", "sheet ", "boom -1",
+                             "boom 0", "boom 1", "boom 0"});
 }
 
 TEST(DemoInteractive, NoTimePassesWhilePausedOrReading) {
