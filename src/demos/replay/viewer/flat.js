@@ -15,7 +15,8 @@ class FlatPainter {
             this.pen.fillRect(0, 0, width, height);
         } else {
             this.paintSky(view, camera);
-            this.paintGrid(view, moment);
+            if (!this.run.sea) this.paintFields(view);
+            this.paintGrid(view);
             this.paintMarks();
             this.paintShadow(moment);
         }
@@ -61,6 +62,21 @@ class FlatPainter {
         pen.fillRect(0, horizon, width, Math.max(0, height - horizon));
     }
 
+    /// Those around, in the colours of the others' mean where they are far off.
+    paintFields(view) {
+        const { pen, look } = this, reach = 14;
+        const column = Math.round(view.target[0] / fieldWidth), row = Math.round(view.target[2] / fieldDepth);
+        for (let r = row - reach; r < row + reach; ++r)
+            for (let c = column - reach; c < column + reach; ++c) {
+                const x = (c - 0.61 * r % 1) * fieldWidth, z = r * fieldDepth, kind = Math.abs(Math.imul(c * 7 + r * 131, 2654435761)) >> 8;
+                pen.globalAlpha = clamp(1.6 * (1 - Math.hypot(c - column, r - row) / reach), 0, 1);
+                pen.fillStyle = look.fields[kind % 4];
+                this.trace([[x, 0, z], [x + fieldWidth, 0, z], [x + fieldWidth, 0, z + fieldDepth], [x, 0, z + fieldDepth]], true);
+                pen.fill();
+            }
+        pen.globalAlpha = 1;
+    }
+
     paintGrid(view) {
         const { pen, look, run } = this, { cell } = gridAt(view, this.height), reach = 24;
         const at = [0, 2].map(axis => Math.round(view.target[axis] / cell) * cell);
@@ -94,7 +110,7 @@ class FlatPainter {
         pen.strokeStyle = look.trail;
         pen.lineWidth = 2;
         for (const [a, b, , to] of this.trail) {
-            pen.globalAlpha = to <= now ? 0.8 : 0.16;
+            pen.globalAlpha = (to <= now ? 0.8 : 0.16) * fadedAfter(run, to - now);
             this.trace(run.sea ? [a, b].map(p => [p[0], run.surface(p[0], p[2], now), p[2]]) : [a, b]);
             pen.stroke();
         }

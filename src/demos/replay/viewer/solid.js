@@ -201,7 +201,7 @@ class SolidPainter {
         const [near, far] = run.sea ? [look.shallow, look.deep] : [look.ground, look.ground];
         this.use('surface', {
             ...shared, near: rgb(near), far: rgb(far), line: rgb(run.sea ? look.foam : look.line), shade: rgb(look.shadow),
-            glitter: look.glitter, grid: [grid.cell, grid.fine], shadow, silhouette: 0, size: Math.max(0.4, 0.3 * run.radius),
+            fields: look.fields.flatMap(rgb), hedge: rgb(look.hedge), glitter: look.glitter, grid: [grid.cell, grid.fine], shadow, silhouette: 0, size: Math.max(0.4, 0.3 * run.radius),
             centre: [0, 2].map(axis => (view.eye[axis] + view.target[axis]) / 2),
         });
         gl.bindVertexArray(this.disc.array);
@@ -254,7 +254,7 @@ class SolidPainter {
         gl.enable(gl.BLEND);
         gl.blendFunc(gl.SRC_ALPHA, gl.ONE_MINUS_SRC_ALPHA);
         gl.depthMask(false);
-        const pen = { ...shared, pen: rgb(look.trail), now, lift: 0.02 * this.run.radius };
+        const pen = { ...shared, pen: rgb(look.trail), now, fadeTime, faintest: faintest(this.run), lift: 0.02 * this.run.radius };
         this.use('trail', { ...pen, width: Math.max(1, 1.1 * unit), past: 0.3, future: 0 });
         this.drawPieces(this.plumbs);
         this.use('trail', { ...pen, width: Math.max(1.4, 2.2 * unit), past: 0.8, future: 0.16 });
