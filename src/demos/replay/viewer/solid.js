@@ -263,16 +263,18 @@ class SolidPainter {
         gl.disable(gl.BLEND);
     }
 
-    /// First, faintly, what of them is hidden; then what is seen.
+    /// First, faintly, what of them is hidden; then what is seen. In a flat scene they lie on top.
     paintArrows(shared, arrows, eye, pixel) {
         const { gl } = this;
         gl.enable(gl.BLEND);
         this.use('solid', { ...shared, thin: 0 });
-        for (const [test, opacity] of [[gl.GREATER, 0.22], [gl.LESS, 1]]) {
+        const passes = this.run.flat ? [[gl.ALWAYS, 1]] : [[gl.GREATER, 0.22], [gl.LESS, 1]];
+        for (const [test, opacity] of passes) {
             gl.depthFunc(test);
             gl.depthMask(opacity === 1);
             for (const arrow of arrows) this.paintArrow(arrow, Vec.size(Vec.sub(arrow.tail, eye)) * pixel, opacity);
         }
+        gl.depthFunc(gl.LESS);
         gl.depthMask(true);
         gl.disable(gl.BLEND);
     }
