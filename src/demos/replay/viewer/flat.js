@@ -110,7 +110,9 @@ class FlatPainter {
         pen.strokeStyle = look.trail;
         pen.lineWidth = 2;
         for (const [a, b, , to] of this.trail) {
-            pen.globalAlpha = (to <= now ? 0.8 : 0.16) * fadedAfter(run, to - now);
+            const opacity = (to <= now ? 0.8 : 0.16) * fadedAfter(run, to - now);
+            if (opacity < 0.03) continue;
+            pen.globalAlpha = opacity;
             this.trace(run.sea ? [a, b].map(p => [p[0], run.surface(p[0], p[2], now), p[2]]) : [a, b]);
             pen.stroke();
         }
