@@ -14,9 +14,10 @@ namespace {
 using cyclone::REAL_PI;
 
 constexpr real DEGREE = REAL_PI / 180;
-constexpr real CAPSIZED_FOR = 6;           // s, until the crew has righted her
-constexpr real GUST_MEMORY = 4;            // s
-constexpr real IRONS_FOR = 2;              // s, until it is told
+constexpr real CAPSIZED_FOR = 6;  // s, until the crew has righted her
+constexpr real GUST_MEMORY = 4;   // s
+constexpr real IRONS_FOR = 2;     // s, until it is told
+constexpr real HEAD_TO_WIND = 20 * DEGREE;
 constexpr real WELL_TRIMMED = 6 * DEGREE;  // off the best angle, where next to nothing is lost
 constexpr real START_HEADING = -1.2, START_SPEED = 1;
 
@@ -56,9 +57,9 @@ Scene makeScene() {
 }  // namespace
 
 const char *pointOfSail(real apparentWindAngle) {
+    if (std::fabs(apparentWindAngle) < HEAD_TO_WIND) return "head to wind";
     const real degrees = std::fabs(apparentWindAngle) / DEGREE;
-    return degrees < 20    ? "head to wind"
-           : degrees < 45  ? "close hauled"
+    return degrees < 45    ? "close hauled"
            : degrees < 75  ? "close reach"
            : degrees < 105 ? "beam reach"
            : degrees < 155 ? "broad reach"
@@ -66,6 +67,7 @@ const char *pointOfSail(real apparentWindAngle) {
 }
 
 const char *trimHint(real apparentWindAngle, real boomAngle) {
+    if (std::fabs(apparentWindAngle) < HEAD_TO_WIND) return "fall off";
     // A flat sail drives best where it meets the wind at half the wind's angle off the bow.
     const real meetsWindAt = std::fabs(apparentWindAngle) - std::fabs(boomAngle);
     const real tooMuch = meetsWindAt - std::fabs(apparentWindAngle) / 2;

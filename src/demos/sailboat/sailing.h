@@ -13,7 +13,7 @@ using namespace demo;
 /// What sailors call a course at this angle (rad, either side) to the apparent wind.
 const char *pointOfSail(real apparentWindAngle);
 
-/// What the sheet needs, from the angles of the apparent wind and of the boom (rad).
+/// What the sail needs, from the angles of the apparent wind and of the boom (rad).
 const char *trimHint(real apparentWindAngle, real boomAngle);
 
 /// A boat that has capsized is righted by her crew after a while, where she lies.

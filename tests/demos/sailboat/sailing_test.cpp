@@ -205,6 +205,7 @@ TEST(Sailing, TellsTheTrimFromTheWindsAngleOnTheSail) {
         EXPECT_STREQ(hint(32), "well trimmed");
         EXPECT_STREQ(hint(40), "sheet in");
         EXPECT_STREQ(hint(60), "sheet in");
+        EXPECT_STREQ(sailboat::trimHint(side * 10 * DEGREE, 0), "fall off");
     }
 }
 
