@@ -1,6 +1,8 @@
 'use strict';
 // Paints the same scene on a plain canvas, far things first, where there is no WebGL 2.
 
+const standing = { position: [0, 0, 0], orientation: [1, 0, 0, 0] };
+
 class FlatPainter {
     constructor(canvas, run) {
         Object.assign(this, { pen: canvas.getContext('2d'), run, trail: trailsOf(run).path });
@@ -123,15 +125,16 @@ class FlatPainter {
         const { pen, look, run } = this;
         pen.fillStyle = look.shadow;
         pen.beginPath();
-        run.parts.forEach((part, index) => {
-            if (part.ghost) return;
+        const cast = (part, pose) => {
             for (const face of part.faces) {
-                const flat = this.placed(moment.poses[index], face.corners).map(p => [p[0], run.surface(p[0], p[2], this.time), p[2]]);
+                const flat = this.placed(pose, face.corners).map(p => [p[0], run.surface(p[0], p[2], this.time), p[2]]);
                 if (Vec.normal(flat)[1] < 0) flat.reverse();
                 this.image(flat, true).forEach(([x, y], i) => (i ? pen.lineTo(x, y) : pen.moveTo(x, y)));
                 pen.closePath();
             }
-        });
+        };
+        run.fixtures.forEach(part => cast(part, standing));
+        run.parts.forEach((part, index) => { if (!part.ghost) cast(part, moment.poses[index]); });
         pen.globalAlpha = 0.3;
         pen.fill();
         pen.globalAlpha = 1;
@@ -154,7 +157,7 @@ class FlatPainter {
             const light = look.ambient + 0.08 * normal[1] + look.sunlight * Math.max(facing, through);
             faces.push({ corners, distance: Vec.size(toEye), colour: this.shade(face.colour, light), opacity: part.ghost ? 0.35 : 1 });
         });
-        run.fixtures.forEach(part => collect(part, { position: [0, 0, 0], orientation: [1, 0, 0, 0] }));
+        run.fixtures.forEach(part => collect(part, standing));
         run.parts.forEach((part, index) => collect(part, moment.poses[index]));
         faces.sort((a, b) => b.distance - a.distance);
         pen.lineJoin = 'round';

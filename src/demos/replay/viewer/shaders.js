@@ -156,7 +156,7 @@ const shaders = {
             }`,
     },
 
-    /// Flat marks on the ground, which take shadows.
+    /// Flat marks on the ground, which take shadows, and shadows themselves: `darkness` is 1 for those.
     paint: {
         vertex: () => `
             layout(location = 0) in vec3 place;
@@ -170,12 +170,12 @@ const shaders = {
             }`,
         fragment: () => `${shaders.air}${shaders.shadow}
             uniform vec3 shade;
-            uniform float ambient, sunlight;
+            uniform float ambient, sunlight, darkness, opacity;
             in vec3 world, tint;
             out vec4 colour;
             void main() {
                 vec3 lit = tint * (ambient + 0.08 + sunlight * sun.y);
-                colour = vec4(haze(mix(lit, shade, shadowAt(world.xz) * 0.5), world), 1.0);
+                colour = vec4(haze(mix(lit, shade, max(darkness, shadowAt(world.xz) * 0.5)), world), opacity);
             }`,
     },
 

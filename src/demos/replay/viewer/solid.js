@@ -4,7 +4,7 @@
 class SolidPainter {
     /// null where the browser has no WebGL 2.
     static on(canvas, run) {
-        const gl = canvas.getContext('webgl2', { antialias: true, alpha: false, powerPreference: 'low-power' });
+        const gl = canvas.getContext('webgl2', { antialias: true, alpha: false, stencil: true, powerPreference: 'low-power' });
         return gl && new SolidPainter(gl, run);
     }
 
@@ -14,6 +14,7 @@ class SolidPainter {
         this.parts = run.parts.map(part => this.mesh(SolidPainter.triangles(part.faces)));
         this.fixtures = run.fixtures.map(part => this.mesh(SolidPainter.triangles(part.faces)));
         this.marks = this.mesh(SolidPainter.triangles(run.paint));
+        this.casts = this.mesh(SolidPainter.triangles(run.fixtures.flatMap(part => part.faces).map(SolidPainter.flattened)));
         this.shaft = this.mesh(SolidPainter.triangles(SolidPainter.prism(1)));
         this.head = this.mesh(SolidPainter.triangles(SolidPainter.prism(0)));
         this.disc = this.makeDisc();
@@ -59,6 +60,9 @@ class SolidPainter {
         }
         return numbers;
     }
+
+    /// A face's shadow on the land, straight below it.
+    static flattened(face) { return { ...face, corners: face.corners.map(([x, , z]) => [x, 0, z]) }; }
 
     /// A unit prism along +X: a cylinder, or with a top of width 0 a cone.
     static prism(top) {
@@ -156,12 +160,13 @@ class SolidPainter {
         const shadow = this.castShadow(moment, matrices);
 
         gl.viewport(0, 0, width, height);
-        gl.clear(gl.DEPTH_BUFFER_BIT);
+        gl.clear(gl.DEPTH_BUFFER_BIT | gl.STENCIL_BUFFER_BIT);
         this.paintSky(shared, camera, view.fov, width / height);
         gl.enable(gl.DEPTH_TEST);
         if (!run.space) {
             this.paintSurface(shared, view, look, shadow, height);
             this.paintMarks(shared, look, shadow);
+            if (!run.sea) this.paintCasts(shared, look);
         }
         this.paintFixtures(shared);
         this.paintParts(shared, matrices);
@@ -213,8 +218,24 @@ class SolidPainter {
     paintMarks(shared, look, shadow) {
         const { gl } = this;
         gl.depthMask(false);
-        this.use('paint', { ...shared, shade: rgb(look.shadow), shadow, silhouette: 0 });
+        this.use('paint', { ...shared, shade: rgb(look.shadow), shadow, silhouette: 0, darkness: 0 });
         this.draw(this.marks);
+        gl.depthMask(true);
+    }
+
+    /// The fixtures' shadows, each spot darkened once.
+    paintCasts(shared, look) {
+        const { gl } = this;
+        gl.depthMask(false);
+        gl.enable(gl.BLEND);
+        gl.blendFunc(gl.SRC_ALPHA, gl.ONE_MINUS_SRC_ALPHA);
+        gl.enable(gl.STENCIL_TEST);
+        gl.stencilFunc(gl.EQUAL, 0, 255);
+        gl.stencilOp(gl.KEEP, gl.KEEP, gl.INCR);
+        this.use('paint', { ...shared, shade: rgb(look.shadow), darkness: 1, opacity: 0.35 });
+        this.draw(this.casts);
+        gl.disable(gl.STENCIL_TEST);
+        gl.disable(gl.BLEND);
         gl.depthMask(true);
     }
 
