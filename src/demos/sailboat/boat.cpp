@@ -92,35 +92,6 @@ cyclone::HullDrag makeDrag(const Buoyancy *hull, unsigned halfHull) {
 
 }  // namespace
 
-Vector3 TransomDrag::getForce(const RigidBody &body) const {
-    return goesAstern(body) ? HullDrag::getForce(body) : Vector3();
-}
-
-void TransomDrag::updateForce(RigidBody *body, real duration) {
-    if (goesAstern(*body)) HullDrag::updateForce(body, duration);
-}
-
-void TransomDrag::addResistance(const RigidBody &body, cyclone::Resistance &sum) const {
-    if (goesAstern(body)) HullDrag::addResistance(body, sum);
-}
-
-bool Sail::isDry(const RigidBody &body) const {
-    const Vector3 centre = body.getPointInWorldSpace(getPosition());
-    return centre.y > surface->getHeight(centre);
-}
-
-Vector3 Sail::getForce(const RigidBody &body) const {
-    return isDry(body) ? AngledAero::getForce(body) : Vector3();
-}
-
-void Sail::updateForce(RigidBody *body, real duration) {
-    if (isDry(*body)) AngledAero::updateForce(body, duration);
-}
-
-void Sail::addResistance(const RigidBody &body, cyclone::Resistance &sum) const {
-    if (isDry(body)) AngledAero::addResistance(body, sum);
-}
-
 real wrapAngle(real angle) {
     const real turns = std::floor(angle / (2 * cyclone::REAL_PI) + 0.5);
     return angle - turns * 2 * cyclone::REAL_PI;
@@ -243,5 +214,34 @@ bool Catamaran::isInIrons() const {
 }
 
 bool Catamaran::isCapsized() const { return body.getDirectionInWorldSpace(Vector3::Y).y < 0; }
+
+Vector3 TransomDrag::getForce(const RigidBody &body) const {
+    return goesAstern(body) ? HullDrag::getForce(body) : Vector3();
+}
+
+void TransomDrag::updateForce(RigidBody *body, real duration) {
+    if (goesAstern(*body)) HullDrag::updateForce(body, duration);
+}
+
+void TransomDrag::addResistance(const RigidBody &body, cyclone::Resistance &sum) const {
+    if (goesAstern(body)) HullDrag::addResistance(body, sum);
+}
+
+bool Sail::isDry(const RigidBody &body) const {
+    const Vector3 centre = body.getPointInWorldSpace(getPosition());
+    return centre.y > surface->getHeight(centre);
+}
+
+Vector3 Sail::getForce(const RigidBody &body) const {
+    return isDry(body) ? AngledAero::getForce(body) : Vector3();
+}
+
+void Sail::updateForce(RigidBody *body, real duration) {
+    if (isDry(*body)) AngledAero::updateForce(body, duration);
+}
+
+void Sail::addResistance(const RigidBody &body, cyclone::Resistance &sum) const {
+    if (isDry(body)) AngledAero::addResistance(body, sum);
+}
 
 }  // namespace sailboat
