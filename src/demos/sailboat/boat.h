@@ -37,12 +37,13 @@ public:
     Sail(const cyclone::Matrix3 &ownTensor, const Vector3 &centre, const Vector3 *wind,
          const cyclone::Water *sea)
         : AngledAero(ownTensor, centre, wind), surface(sea) {}
-    bool isDry(const cyclone::RigidBody &body) const;
     Vector3 getForce(const cyclone::RigidBody &body) const override;
     void updateForce(cyclone::RigidBody *body, real duration) override;
     void addResistance(const cyclone::RigidBody &body, cyclone::Resistance &sum) const override;
 
 private:
+    bool isDry(const cyclone::RigidBody &body) const;
+
     const cyclone::Water *surface;
 };
 
