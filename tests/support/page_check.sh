@@ -1,6 +1,7 @@
 #!/bin/bash
-# Loads a page in headless Chromium, with WebGL and without, lets it run for some seconds, and fails on an error in the
-# console, an uncaught exception, a fetched resource, or a canvas with nothing on it.
+# Loads a page in headless Chromium, with WebGL, without and on a phone, lets it run for some seconds, and fails on an
+# error in the console, an uncaught exception, a fetched resource, a canvas with nothing on it, plots that keep the scene
+# waiting, a page wider than its window, or a wind that is never named in the picture.
 #
 #   page_check.sh PAGE.html...        (CHROMIUM: the browser, by default `chromium`)
 
@@ -22,6 +23,15 @@ cat >"$work/watch.html" <<'SCRIPT'
     const say = console.error;
     console.error = (...words) => { fault(words.join(' ')); say(...words); };
 
+    // Where there is a wind, its name must once stand in the picture, below the buttons.
+    let windSeen = false, plotsFirst = null;
+    const lookForWind = () => {
+        const name = [...document.querySelectorAll('#labels span')].find(span => !span.hidden && span.textContent.startsWith('wind'));
+        const lowest = Math.max(...[...document.querySelectorAll('#stage .pill')].map(pill => pill.getBoundingClientRect().bottom));
+        windSeen = windSeen || (name !== undefined && name.getBoundingClientRect().top >= lowest);
+    };
+    const blows = () => JSON.parse(document.getElementById('recording').textContent).windspeed.some(axis => axis !== 0);
+
     // A canvas can be read in the same frame in which it was painted.
     const look = canvas => {
         if (alive.has(canvas) || !canvas.width || !canvas.height) return;
@@ -34,6 +44,8 @@ cat >"$work/watch.html" <<'SCRIPT'
     window.requestAnimationFrame = paint => later(now => {
         paint(now);
         document.querySelectorAll('canvas').forEach(look);
+        lookForWind();
+        if (alive.has(document.getElementById('scene'))) plotsFirst ??= document.querySelectorAll('#plots canvas').length;
     });
 
     setInterval(() => {
@@ -43,6 +55,9 @@ cat >"$work/watch.html" <<'SCRIPT'
         if (canvases.length === 0) found.push('there is no canvas');
         for (const canvas of canvases)
             if (!alive.has(canvas)) found.push(`empty canvas ${canvas.id || canvas.getAttribute('aria-label') || ''}`);
+        if (plotsFirst > 1) found.push(`${plotsFirst} plots came before the scene`);
+        if (document.documentElement.scrollWidth > innerWidth) found.push(`wider than the window of ${innerWidth}`);
+        if (!windSeen && blows()) found.push('no wind is named');
         document.documentElement.dataset.pageCheck = found.length ? `faults: ${found.join('; ')}` : `ok, ${canvases.length} canvases`;
     }, 100);
 })();
@@ -81,5 +96,6 @@ for page in "$@"; do
     [ -r "$page" ] || { echo "page_check.sh: cannot read $page" >&2; exit 2; }
     check_twice "$page" webgl --use-angle=swiftshader --enable-unsafe-swiftshader || status=1
     check_twice "$page" plain --disable-3d-apis || status=1
+    check_twice "$page" phone --disable-3d-apis --window-size=390,844 || status=1
 done
 exit $status

@@ -1,5 +1,6 @@
 #include "sailboat/boat.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace sailboat {
@@ -38,11 +39,20 @@ constexpr Vector3 HULL_LINEAR(4, 1200, 500), HULL_QUADRATIC(2, 150, 150);
 /// A hull is deepest amidships: the water's resistance acts that much nearer to it than buoyancy.
 constexpr real RESISTANCE_INWARDS = 0.6;
 
+/// ½·ρ·c·A of a stern, wholly under water: c = 1.1, a plate's, and A = 0.15 m².
+constexpr Vector3 TRANSOM(0.5 * 1000 * 1.1 * 0.15, 0, 0);
+
 /// The sail's own axes: +X from the boom's end to the mast, +Y up the mast, +Z through the cloth. The same
 /// for the rudder.
 constexpr Matrix3 SAIL(-3.5, 0, 0, 0, -2, 0, 0, 0, -160), RUDDER(-1, 0, 0, 0, -1, 0, 0, 0, -250);
 constexpr Vector3 SAIL_CENTRE(-0.6, 2.6, 0), RUDDER_CENTRE(-2.6, -1, 0);
 constexpr real RUDDER_DEPTH = 0.25;  // m, of the centre of a rudder that is wholly under water
+
+constexpr real HAND_RATE = 1;              // rad/s, of a boom that is hauled or held
+constexpr real BOOM_LENGTH = 2.6;          // m
+constexpr real ASTERN = 0.3;               // the wind is astern if it is within this of it, rad
+constexpr real CALM = 0.1;                 // m/s: no wind swings the boom
+constexpr real NO_GO = 0.5, NO_WAY = 0.5;  // rad off the wind, m/s: in irons below both
 
 RigidBody makeBody() {
     real mass = 0;
@@ -66,6 +76,14 @@ Buoyancy makeHull(unsigned halfHull) {
                     Catamaran::HALF_HULL_VOLUME, 0);
 }
 
+TransomDrag makeTransom(const Buoyancy *hull, unsigned halfHull) {
+    Vector3 centre = Catamaran::getHullCentre(halfHull);
+    centre.x = -Catamaran::LENGTH / 2;
+    return TransomDrag(hull, centre, Vector3(), TRANSOM);
+}
+
+bool goesAstern(const RigidBody &body) { return body.getDirectionInLocalSpace(body.getVelocity()).x < 0; }
+
 cyclone::HullDrag makeDrag(const Buoyancy *hull, unsigned halfHull) {
     Vector3 centre = Catamaran::getHullCentre(halfHull);
     centre.x *= RESISTANCE_INWARDS;
@@ -83,7 +101,8 @@ Catamaran::Catamaran(cyclone::World &w, const Vector3 *wind, const cyclone::Wate
       body(makeBody()),
       hulls{makeHull(0), makeHull(1), makeHull(2), makeHull(3)},
       drags{makeDrag(&hulls[0], 0), makeDrag(&hulls[1], 1), makeDrag(&hulls[2], 2), makeDrag(&hulls[3], 3)},
-      sail(SAIL, SAIL_CENTRE, wind),
+      transoms{makeTransom(&hulls[0], 0), makeTransom(&hulls[2], 2)},
+      sail(SAIL, SAIL_CENTRE, wind, surface),
       rudder(RUDDER, RUDDER_CENTRE, nullptr) {
     world.addBody(&body);
     cyclone::ForceRegistry &forces = world.getForceRegistry();
@@ -92,8 +111,9 @@ Catamaran::Catamaran(cyclone::World &w, const Vector3 *wind, const cyclone::Wate
         forces.add(&body, &hull);
     }
     for (cyclone::HullDrag &drag : drags) forces.add(&body, &drag);
+    for (TransomDrag &transom : transoms) forces.add(&body, &transom);
     rudder.setWater(water, RUDDER_DEPTH);
-    for (AngledAero *surfaceOf : {&sail, &rudder}) {
+    for (AngledAero *surfaceOf : {static_cast<AngledAero *>(&sail), &rudder}) {
         surfaceOf->setRotationalFlow(true);
         forces.add(&body, surfaceOf);
     }
@@ -112,7 +132,9 @@ void Catamaran::launch(real x, real z, real heading, real speed) {
     body.setOrientation(Quaternion::fromAxisAngle(Vector3::UP, -heading));
     body.setVelocity(body.getDirectionInWorldSpace(Vector3(speed, 0, 0)));
     setRudder(0);
-    setSail(0);
+    setSheet(0);
+    holdBoom(0);
+    setBoom(0);
 }
 
 void Catamaran::setRudder(real angle) {
@@ -120,9 +142,29 @@ void Catamaran::setRudder(real angle) {
     rudder.setOrientation(Quaternion::fromAxisAngle(Vector3::UP, rudderAngle));
 }
 
-void Catamaran::setSail(real angle) {
-    sailAngle = cyclone::real_clamp(angle, -MAX_SAIL, MAX_SAIL);
-    sail.setOrientation(Quaternion::fromAxisAngle(Vector3::UP, sailAngle));
+void Catamaran::setSheet(real angle) { sheet = cyclone::real_clamp(angle, 0, MAX_SHEET); }
+
+void Catamaran::holdBoom(real side) { heldSide = cyclone::real_clamp(side, -1, 1); }
+
+void Catamaran::setBoom(real angle) {
+    boomAngle = angle;
+    sail.setOrientation(Quaternion::fromAxisAngle(Vector3::UP, angle));
+}
+
+real Catamaran::getBoomTarget() const {
+    if (heldSide != 0) return heldSide * HELD_OUT;
+    if (getApparentWindSpeed() < CALM) return cyclone::real_clamp(boomAngle, -sheet, sheet);
+    const real flag = -getApparentWindAngle();
+    const bool isAstern = cyclone::real_abs(flag) > cyclone::REAL_PI - ASTERN;
+    if (isAstern && flag * boomAngle < 0) return boomAngle < 0 ? -sheet : sheet;
+    return cyclone::real_clamp(flag, -sheet, sheet);
+}
+
+void Catamaran::swingBoom(real duration) {
+    const bool isFree = heldSide == 0 && cyclone::real_abs(boomAngle) <= sheet;
+    const real rate = isFree ? std::max(HAND_RATE, getApparentWindSpeed() / BOOM_LENGTH) : HAND_RATE;
+    const real most = rate * duration;
+    setBoom(boomAngle + cyclone::real_clamp(getBoomTarget() - boomAngle, -most, most));
 }
 
 Vector3 Catamaran::getHullCentre(unsigned halfHull) {
@@ -162,6 +204,39 @@ real Catamaran::getApparentWindSpeed() const {
     return cyclone::real_sqrt(wind.x * wind.x + wind.z * wind.z);
 }
 
+bool Catamaran::isInIrons() const {
+    return cyclone::real_abs(getTrueWindAngle()) < NO_GO && getSpeed() < NO_WAY && !isCapsized();
+}
+
 bool Catamaran::isCapsized() const { return body.getDirectionInWorldSpace(Vector3::Y).y < 0; }
+
+Vector3 TransomDrag::getForce(const RigidBody &body) const {
+    return goesAstern(body) ? HullDrag::getForce(body) : Vector3();
+}
+
+void TransomDrag::updateForce(RigidBody *body, real duration) {
+    if (goesAstern(*body)) HullDrag::updateForce(body, duration);
+}
+
+void TransomDrag::addResistance(const RigidBody &body, cyclone::Resistance &sum) const {
+    if (goesAstern(body)) HullDrag::addResistance(body, sum);
+}
+
+bool Sail::isDry(const RigidBody &body) const {
+    const Vector3 centre = body.getPointInWorldSpace(getPosition());
+    return centre.y > surface->getHeight(centre);
+}
+
+Vector3 Sail::getForce(const RigidBody &body) const {
+    return isDry(body) ? AngledAero::getForce(body) : Vector3();
+}
+
+void Sail::updateForce(RigidBody *body, real duration) {
+    if (isDry(*body)) AngledAero::updateForce(body, duration);
+}
+
+void Sail::addResistance(const RigidBody &body, cyclone::Resistance &sum) const {
+    if (isDry(body)) AngledAero::addResistance(body, sum);
+}
 
 }  // namespace sailboat

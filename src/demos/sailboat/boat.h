@@ -23,6 +23,31 @@ using demo::wrapAngle;
 /// The compass direction of a vector in the world: 0 is north, π/2 east.
 real bearing(const Vector3 &worldDirection);
 
+/// What a square stern costs that is dragged through the water backwards: nothing while she goes ahead.
+class TransomDrag : public cyclone::HullDrag {
+public:
+    using HullDrag::HullDrag;
+    Vector3 getForce(const cyclone::RigidBody &body) const override;
+    void updateForce(cyclone::RigidBody *body, real duration) override;
+    void addResistance(const cyclone::RigidBody &body, cyclone::Resistance &sum) const override;
+};
+
+/// A sail that draws above the water only: a capsized boat's does not.
+class Sail : public cyclone::AngledAero {
+public:
+    Sail(const cyclone::Matrix3 &ownTensor, const Vector3 &centre, const Vector3 *wind,
+         const cyclone::Water *sea)
+        : AngledAero(ownTensor, centre, wind), surface(sea) {}
+    Vector3 getForce(const cyclone::RigidBody &body) const override;
+    void updateForce(cyclone::RigidBody *body, real duration) override;
+    void addResistance(const cyclone::RigidBody &body, cyclone::Resistance &sum) const override;
+
+private:
+    bool isDry(const cyclone::RigidBody &body) const;
+
+    const cyclone::Water *surface;
+};
+
 /// The boat, in a world. Its designer's numbers:
 ///
 /// - Four half hulls of 0.22 m³ each, 0.8 m deep, carry 355 kg: they are 40 % under water, and the middle of
@@ -31,14 +56,17 @@ real bearing(const Vector3 &worldDirection);
 ///   greatest when the boom bisects the angle between the stern and where the wind goes.
 /// - Rudder and hulls together hold against side force at a point 0.6 m aft of the centre of mass. The sail's
 ///   centre of effort lies there too, so that the rudder has little to do on a straight course. The rudder
-///   works as far as it is under water; the sail is taken never to be.
+///   works as far as it is under water, the sail while its centre is above it.
+/// - Her sterns are square: going astern she pushes water before them.
 class Catamaran {
 public:
     static constexpr real LENGTH = 6, HULL_SPACING = 2.8;  ///< m; between the hulls' middles
     static constexpr real HULL_HEIGHT = -0.55;             ///< y of the hulls' middles, m
     static constexpr real HULL_HALF_DEPTH = 0.4;           ///< m
     static constexpr real HALF_HULL_VOLUME = 0.22;         ///< m³
-    static constexpr real MAX_RUDDER = 0.6, MAX_SAIL = 1.5;
+    static constexpr real MAX_RUDDER = 0.6;
+    static constexpr real MAX_SHEET = 1.5;  ///< the shrouds stop the boom there
+    static constexpr real HELD_OUT = 1.4;   ///< where a crew holds the boom to back the sail
 
     /// Adds the boat and its forces to the world, at rest, afloat at the origin, bow to the north. The wind
     /// (see aero.h) and the water are read at each step. All three must outlive the boat.
@@ -54,9 +82,17 @@ public:
     /// ±MAX_RUDDER.
     void setRudder(real angle);
     real getRudder() const { return rudderAngle; }
-    /// The boom, to starboard positive. Within ±MAX_SAIL.
-    void setSail(real angle);
-    real getSail() const { return sailAngle; }
+    /// How far the sheet lets the boom go to either side. Within 0 … MAX_SHEET.
+    void setSheet(real angle);
+    real getSheet() const { return sheet; }
+    /// −1: the crew holds the boom out to port, against the wind if need be; 1: to starboard; 0: lets it go.
+    void holdBoom(real side);
+    real getHeldSide() const { return heldSide; }
+    /// Lets the wind swing the boom to leeward until the sheet is taut or the sail flies like a flag. With
+    /// the wind astern the boom stays on the side where it is. To be called before each step.
+    void swingBoom(real duration);
+    /// The boom, to starboard positive.
+    real getSail() const { return boomAngle; }
 
     const cyclone::RigidBody &getBody() const { return body; }
     cyclone::RigidBody &getBody() { return body; }
@@ -74,6 +110,7 @@ public:
     real getApparentWindAngle() const;
     real getApparentWindSpeed() const;  ///< m/s
     bool isCapsized() const;            ///< heeled by more than a right angle
+    bool isInIrons() const;             ///< head to wind without way on: no trim of the sail helps
     /// @}
 
     /// @name Forces now, in N and world coordinates, and where they act
@@ -89,6 +126,8 @@ public:
 
 private:
     Vector3 getApparentWind() const;
+    void setBoom(real angle);
+    real getBoomTarget() const;
 
     cyclone::World &world;
     const Vector3 *windspeed;
@@ -96,8 +135,10 @@ private:
     cyclone::RigidBody body;
     std::array<cyclone::Buoyancy, 4> hulls;
     std::array<cyclone::HullDrag, 4> drags;
-    cyclone::AngledAero sail, rudder;
-    real rudderAngle = 0, sailAngle = 0;
+    std::array<TransomDrag, 2> transoms;
+    Sail sail;
+    cyclone::AngledAero rudder;
+    real rudderAngle = 0, sheet = 0, boomAngle = 0, heldSide = 0;
 };
 
 }  // namespace sailboat

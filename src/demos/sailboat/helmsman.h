@@ -18,11 +18,11 @@ public:
     /// Steers for this angle to the true wind: positive with the wind over the starboard side.
     void steerWindAngle(real angle);
 
-    /// The sail as it drives best: the boom bisects the angle between the stern and where the wind goes.
-    /// With the wind astern it may be out on either side, and stays where it is.
-    static real bestSail(const Catamaran &boat);
+    /// The sheet with which the sail drives best: the boom then bisects the angle between the stern and where
+    /// the wind goes.
+    static real bestSheet(const Catamaran &boat);
 
-    /// Works the boat's rudder and sail for a step of `duration` seconds.
+    /// Works the boat's rudder, sheet and boom for a step of `duration` seconds.
     void sail(Catamaran &boat, real duration);
     /// Works the rudder only.
     void steer(Catamaran &boat, real duration) const;

@@ -21,12 +21,13 @@ public:
         helmsman.steerWindAngle(windAngle);
     }
 
-    /// To where nothing changes any more, with the sail at this angle to leeward; the point that is then
+    /// To where nothing changes any more, with this sheet; the point that is then
     /// reached.
-    PolarPoint settle(real sail, real windAngle) {
-        boat.setSail(-sail);
+    PolarPoint settle(real sheet, real windAngle) {
+        boat.setSheet(sheet);
         for (real time = 0; time < SETTLE; time += STEP) {
             helmsman.steer(boat, STEP);
+            boat.swingBoom(STEP);
             world.startFrame();
             world.runPhysics(STEP);
         }
@@ -36,7 +37,7 @@ public:
         point.windAngle = windAngle;
         point.speed = holdsCourse ? std::max(boat.getSpeed(), 0.0) : 0;
         point.madeGood = point.speed > 0 ? boat.getBody().getVelocity() * windspeed.unit() : 0;
-        point.sail = sail;
+        point.sail = -boat.getSail();
         point.heel = -boat.getHeel();
         point.apparentWindAngle = boat.getApparentWindAngle();
         return point;
@@ -66,13 +67,13 @@ const PolarPoint &Polar::bestDownwind() const {
 }
 
 PolarPoint measurePoint(real windspeed, real windAngle) {
-    const auto sailAt = [&](real sail) { return Trial(windspeed, windAngle).settle(sail, windAngle); };
+    const auto sailAt = [&](real sheet) { return Trial(windspeed, windAngle).settle(sheet, windAngle); };
     // A coarse search first, since there may be no way on at all where the sail is badly wrong; then closer.
     PolarPoint best = sailAt(0);
     for (real spacing : {0.15, 0.03, 0.006}) {
-        const real middle = best.sail, reach = spacing == 0.15 ? Catamaran::MAX_SAIL : 4 * spacing;
+        const real middle = best.sail, reach = spacing == 0.15 ? Catamaran::MAX_SHEET : 4 * spacing;
         for (real sail = std::max(middle - reach, 0.0); sail < middle + reach + spacing / 2; sail += spacing)
-            if (sail <= Catamaran::MAX_SAIL) best = std::max(best, sailAt(sail), isSlower);
+            if (sail <= Catamaran::MAX_SHEET) best = std::max(best, sailAt(sail), isSlower);
     }
     return best;
 }

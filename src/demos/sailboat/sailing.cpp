@@ -16,6 +16,9 @@ using cyclone::REAL_PI;
 constexpr real DEGREE = REAL_PI / 180;
 constexpr real CAPSIZED_FOR = 6;  // s, until the crew has righted her
 constexpr real GUST_MEMORY = 4;   // s
+constexpr real IRONS_FOR = 2;     // s, until it is told
+constexpr real HEAD_TO_WIND = 20 * DEGREE;
+constexpr real WELL_TRIMMED = 6 * DEGREE;  // off the best angle, where next to nothing is lost
 constexpr real START_HEADING = -1.2, START_SPEED = 1;
 
 const std::vector<Skipper::Mark> MARKS = {{"windward", 85, 5}, {"wing", 40, -60}, {"leeward", -15, -10}};
@@ -53,13 +56,22 @@ Scene makeScene() {
 
 }  // namespace
 
-const char *pointOfSail(real trueWindAngle) {
-    const real degrees = std::fabs(trueWindAngle) / DEGREE;
-    return degrees < 23    ? "in irons"
-           : degrees < 65  ? "close hauled"
-           : degrees < 115 ? "beam reach"
+const char *pointOfSail(real apparentWindAngle) {
+    if (std::fabs(apparentWindAngle) < HEAD_TO_WIND) return "head to wind";
+    const real degrees = std::fabs(apparentWindAngle) / DEGREE;
+    return degrees < 45    ? "close hauled"
+           : degrees < 75  ? "close reach"
+           : degrees < 105 ? "beam reach"
            : degrees < 155 ? "broad reach"
                            : "running";
+}
+
+const char *trimHint(real apparentWindAngle, real boomAngle) {
+    if (std::fabs(apparentWindAngle) < HEAD_TO_WIND) return "fall off";
+    // A flat sail drives best where it meets the wind at half the wind's angle off the bow.
+    const real meetsWindAt = std::fabs(apparentWindAngle) - std::fabs(boomAngle);
+    const real tooMuch = meetsWindAt - std::fabs(apparentWindAngle) / 2;
+    return tooMuch > WELL_TRIMMED ? "ease" : tooMuch < -WELL_TRIMMED ? "sheet in" : "well trimmed";
 }
 
 Sailing::Sailing() : boat(world, wind.getAddress(), &sea), skipper(MARKS) {
@@ -78,19 +90,22 @@ void Sailing::fillProfile() {
     };
     profile.controls = {
         {"rudder", -Catamaran::MAX_RUDDER / DEGREE, Catamaran::MAX_RUDDER / DEGREE, 0, 'a', 'd', 4, true},
-        {"sail", -Catamaran::MAX_SAIL / DEGREE, Catamaran::MAX_SAIL / DEGREE, 0, 'q', 'e', 4, true},
+        {"sheet", 0, Catamaran::MAX_SHEET / DEGREE, 30, 'q', 'e', 4, false},
+        {"boom", -1, 1, 0, 'z', 'x', 1, true},
     };
     profile.centre = 'w';
     profile.help = {
         "A D   rudder: turns the boat to port, to starboard",
-        "Q E   sail: swings the boom to port, to starboard",
-        "W     rudder and sail amidships",
+        "Q E   sheet: in, out; the wind swings the boom",
+        "Z X   hold the boom out to port, to starboard",
+        "W     rudder amidships, boom let go",
         "",
-        "Keep the boom to leeward, about half way between",
-        "the stern and where the wind goes. Too close to the",
-        "wind no sail draws: zigzag, and tack with way on.",
-        "WIND is the wind felt on board. Numbers are metres",
-        "per second and degrees, to Port or Starboard.",
+        "Ease until the sail flaps, then haul in half way.",
+        "Nobody sails straight upwind: zigzag, and tack with",
+        "way on. In irons (stopped, head to wind): boom to one",
+        "side, rudder to the other, until she falls off; W.",
+        "WIND as felt on board, and the next MARK: m/s, m and",
+        "degrees, to Port or Starboard.",
     };
     profile.quantities = {
         {"boat speed", "m/s", [this] { return boat.getSpeed(); }, "speed", 2},
@@ -108,6 +123,8 @@ void Sailing::fillProfile() {
         {"north", "m", [this] { return boat.getBody().getPosition().x; }, "", 1},
         {"east", "m", [this] { return boat.getBody().getPosition().z; }, "", 1},
         {"height", "m", [this] { return boat.getBody().getPosition().y; }},
+        {"sheet", "°", [this] { return boat.getSheet() / DEGREE; }},
+        {"lap", "s", [this] { return getLapTime(); }},
     };
     profile.title = "A catamaran under sail";
     profile.kind = "sailing";
@@ -137,19 +154,22 @@ void Sailing::setWaves(real height) {
 void Sailing::launch() {
     boat.launch(0, 0, START_HEADING, START_SPEED);
     skipper.startOver();
-    capsizedSteps = 0;
+    capsizedSteps = ironsSteps = 0;
+    lapStart = lapEnd = getTime();
 }
 
 void Sailing::steer() {
     applyControls();
     skipper.sail(boat, profile.step);
     setControl(RUDDER, boat.getRudder() / DEGREE);
-    setControl(SAIL, boat.getSail() / DEGREE);
+    setControl(SHEET, boat.getSheet() / DEGREE);
+    setControl(BOOM, boat.getHeldSide());
 }
 
 void Sailing::beforeStep() {
     applyControls();
     wind.advance();
+    boat.swingBoom(profile.step);
 }
 
 void Sailing::afterStep() {
@@ -157,20 +177,34 @@ void Sailing::afterStep() {
     skipper.watch(boat, wind.getWindspeed(), profile.step);
     for (const std::string &report : skipper.takeReports()) tell(report);
     keepLog();
+    watchForIrons();
     rightIfCapsized();
 }
 
 void Sailing::applyControls() {
     boat.setRudder(getControl(RUDDER) * DEGREE);
-    boat.setSail(getControl(SAIL) * DEGREE);
+    boat.setSheet(getControl(SHEET) * DEGREE);
+    boat.holdBoom(getControl(BOOM));
 }
 
 void Sailing::keepLog() {
     const Vector3 velocity = boat.getBody().getVelocity();
     log.distance += Vector3(velocity.x, 0, velocity.z).magnitude() * profile.step;
     log.topSpeed = std::max(log.topSpeed, boat.getSpeed());
-    if (!boat.isCapsized()) log.mostHeel = std::max(log.mostHeel, std::fabs(boat.getHeel()));
+    log.mostHeel = std::max(log.mostHeel, std::fabs(boat.getHeel()));
+    if (skipper.isFinished() && lapEnd == lapStart) {
+        lapEnd = getTime();
+        log.bestLap = log.laps++ == 0 ? getLapTime() : std::min(log.bestLap, getLapTime());
+        tell("round the course in " + fixed(getLapTime(), 1) + " s");
+    }
 }
+
+void Sailing::watchForIrons() {
+    ironsSteps = boat.isInIrons() ? ironsSteps + 1 : 0;
+    if (ironsSteps == static_cast<std::uint64_t>(IRONS_FOR / profile.step)) tell("in irons");
+}
+
+real Sailing::getLapTime() const { return (lapEnd > lapStart ? lapEnd : getTime()) - lapStart; }
 
 void Sailing::rightIfCapsized() {
     if (!boat.isCapsized()) {
@@ -185,6 +219,7 @@ void Sailing::rightIfCapsized() {
     const Vector3 position = boat.getBody().getPosition();
     boat.launch(position.x, position.z, boat.getHeading());
     centreControls();
+    setControl(SHEET, Catamaran::MAX_SHEET / DEGREE);  // let fly
     capsizedSteps = 0;
     markCut();
     tell("righted");
@@ -213,12 +248,31 @@ std::vector<Arrow> Sailing::getArrows() const {
     };
 }
 
+/// The point of sail, what the sheet needs and where the mark is, or what is wrong and what helps.
+std::string Sailing::getAdvice() const {
+    if (boat.isInIrons())
+        return std::string("in irons: boom to ") + (boat.getTrueWindAngle() > 0
+                                                        ? "port (Z), rudder to starboard (D)"
+                                                        : "starboard (X), rudder to port (A)");
+    const real angle = boat.getApparentWindAngle();
+    return std::string(pointOfSail(angle)) + "  SHEET " + fixed(boat.getSheet() / DEGREE, 0) + " " +
+           (boat.getHeldSide() != 0 ? "boom held (W)" : trimHint(angle, boat.getSail())) + getCourse();
+}
+
+/// Where the next mark is, off the bow.
+std::string Sailing::getCourse() const {
+    const Skipper::Mark *mark = skipper.getNextMark();
+    if (!mark) return "";
+    const Vector3 position = boat.getBody().getPosition(), way(mark->x - position.x, 0, mark->z - position.z);
+    return "  MARK " + fixed(way.magnitude(), 0) + "/" + sided(wrapAngle(bearing(way) - boat.getHeading()));
+}
+
 std::string Sailing::getHeadUpLine() const {
     if (boat.isCapsized()) return "capsized: the crew rights her in a moment";
-    return "HDG " + compassText(boat.getHeading()) + "  SPD " + fixed(boat.getSpeed(), 1) + "  " +
-           pointOfSail(boat.getTrueWindAngle()) + "  WIND " + fixed(boat.getApparentWindSpeed(), 1) + "/" +
-           sided(boat.getApparentWindAngle()) + "  HEEL " + sided(boat.getHeel()) + "  SAIL " +
-           sided(boat.getSail()) + "  RUD " + sided(boat.getRudder());
+    return "SPD " + fixed(boat.getSpeed(), 1) + "  WIND " + fixed(boat.getApparentWindSpeed(), 0) + "/" +
+           sided(boat.getApparentWindAngle()) + "  " + getAdvice() + "  RUD " + sided(boat.getRudder()) +
+           "  LAP " + fixed(getLapTime(), 0) + "  HEEL " + sided(boat.getHeel()) + "  HDG " +
+           compassText(boat.getHeading());
 }
 
 std::string Sailing::getSummary() const {
@@ -226,12 +280,16 @@ std::string Sailing::getSummary() const {
         return std::to_string(n) + " " + what + (n == 1 ? "" : "s");
     };
     const real time = getTime();
+    const Skipper::Mark *mark = skipper.getNextMark();
     return "Sailed: " + fixed(log.distance, 0) + " m in " + fixed(time, 1) +
            " s\nSpeed: " + fixed(time > 0 ? log.distance / time : 0, 1) + " m/s on average, " +
            fixed(log.topSpeed, 1) + " m/s at best\nHeel: " + fixed(log.mostHeel / DEGREE, 0) +
            "° at most\nManoeuvres: " + count(skipper.getTacks(), "tack") + ", " +
            count(skipper.getGybes(), "gybe") + ", " + count(skipper.getRounded(), "mark") +
-           " rounded\nCapsizes: " + std::to_string(log.capsizes);
+           " rounded\nCapsizes: " + std::to_string(log.capsizes) + "\nCourse: " + count(log.laps, "lap") +
+           (log.laps > 0 ? ", the best in " + fixed(log.bestLap, 1) + " s" : "") +
+           (mark ? "; the " + mark->name + " mark is next, " + fixed(getLapTime(), 1) + " s after the start"
+                 : "");
 }
 
 }  // namespace sailboat

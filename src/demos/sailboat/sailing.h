@@ -10,13 +10,17 @@ namespace sailboat {
 
 using namespace demo;
 
-/// What sailors call a course at this angle (rad, either side) to the true wind.
-const char *pointOfSail(real trueWindAngle);
+/// What sailors call a course at this angle (rad, either side) to the apparent wind.
+const char *pointOfSail(real apparentWindAngle);
+
+/// What the sail needs, from the angles of the apparent wind and of the boom (rad).
+const char *trimHint(real apparentWindAngle, real boomAngle);
 
 /// A boat that has capsized is righted by her crew after a while, where she lies.
 class Sailing : public Demonstration {
 public:
-    enum { RUDDER, SAIL };        ///< the controls, degrees, to starboard positive
+    /// The controls: degrees to starboard; degrees; to port −1, to starboard 1.
+    enum { RUDDER, SHEET, BOOM };
     enum { WIND, GUSTS, WAVES };  ///< the settings: m/s, from the north; m/s; m
 
     Sailing();
@@ -41,20 +45,26 @@ private:
     /// For the summary.
     struct Log {
         real distance = 0, topSpeed = 0, mostHeel = 0;
-        unsigned capsizes = 0;
+        real bestLap = 0;
+        unsigned capsizes = 0, laps = 0;
     };
 
     void fillProfile();
     void setWaves(real height);
     void applyControls();
     void keepLog();
+    void watchForIrons();
     void rightIfCapsized();
+    std::string getAdvice() const;
+    std::string getCourse() const;
+    real getLapTime() const;
 
     Wind wind;
     cyclone::Waves sea;
     Catamaran boat;
     Skipper skipper;
-    std::uint64_t capsizedSteps = 0;
+    std::uint64_t capsizedSteps = 0, ironsSteps = 0;
+    real lapStart = 0, lapEnd = 0;  ///< s; the end is that of the last mark, or now
     Log log;
 };
 

@@ -12,6 +12,7 @@ constexpr real CORRIDOR = 26;                       // m to either side of the m
 constexpr real REACHING = 1.2;                      // rad off the wind: leeway no longer matters
 constexpr real MEMORY = 5, SHORTEST_BOARD = 10;     // s
 constexpr real LONGEST_IN_IRONS = 30;               // s
+constexpr real IN_THE_EYE = 0.1, FILLED = 0.6;      // rad off the wind: neither side, and a full sail
 
 real signOf(real x) { return x < 0 ? -1 : 1; }
 
@@ -27,11 +28,13 @@ void Skipper::startOver() {
     helmsman = Helmsman();
     beating = false;
     side = 0;
+    triesTack = false;
 }
 
 void Skipper::watch(const Catamaran &boat, const Vector3 &windspeed, real duration) {
     senseWind(windspeed, duration);
     sinceTack += duration;
+    if (boat.isCapsized()) return;
     noteManoeuvre(boat);
     if (!isFinished()) noteRounding(boat);
 }
@@ -41,16 +44,34 @@ void Skipper::senseWind(const Vector3 &windspeed, real duration) {
     meanWind = meanWind == Vector3() ? windspeed : meanWind * (1 - share) + windspeed * share;
 }
 
+/// Ahead of the beam the wind's side counts, abaft it the boom's.
 void Skipper::noteManoeuvre(const Catamaran &boat) {
     const real wind = boat.getTrueWindAngle();
-    if (real_abs(cyclone::real_sin(wind)) < 0.1) return;  // not yet on one side or the other
-    const real now = signOf(wind);
-    if (side != 0 && now != side) {
-        const bool ahead = real_abs(wind) < cyclone::REAL_PI / 2;
-        ++(ahead ? tacks : gybes);
-        reports.push_back(ahead ? "tacked" : "gybed");
-    }
-    side = now;
+    if (side == 0)
+        side = signOf(wind);
+    else if (real_abs(wind) < cyclone::REAL_PI / 2)
+        noteTack(wind);
+    else
+        noteGybe(boat.getSail());
+}
+
+/// Each try is told once, when it is over: she sails on the other tack, or on the old one again.
+void Skipper::noteTack(real windAngle) {
+    if (side * windAngle < -IN_THE_EYE) triesTack = true;
+    if (!triesTack || real_abs(windAngle) < FILLED) return;
+    triesTack = false;
+    const bool tacked = side * windAngle < 0;
+    if (tacked) ++tacks;
+    reports.push_back(tacked ? "tacked" : "missed the tack");
+    side = signOf(windAngle);
+}
+
+void Skipper::noteGybe(real boomAngle) {
+    if (side * boomAngle < IN_THE_EYE) return;
+    side = -side;
+    triesTack = false;
+    ++gybes;
+    reports.push_back("gybed");
 }
 
 void Skipper::noteRounding(const Catamaran &boat) {

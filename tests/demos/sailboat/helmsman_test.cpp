@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <string>
+#include <vector>
 
 #include "sailboat/sailing.h"
 
@@ -29,6 +30,7 @@ struct Becalmed {
     }
     void step() {
         helmsman.sail(boat, STEP);
+        boat.swingBoom(STEP);
         world.startFrame();
         world.runPhysics(STEP);
     }
@@ -68,6 +70,7 @@ TEST(Skipper, SaysWhenThereIsTooLittleWindToGetOutOfIrons) {
         bool said = false;
         for (int n = 0; n < 60 * 60; ++n) {
             skipper.sail(sea.boat, STEP);
+            sea.boat.swingBoom(STEP);
             sea.world.startFrame();
             sea.world.runPhysics(STEP);
             skipper.watch(sea.boat, sea.windspeed, STEP);
@@ -91,6 +94,40 @@ TEST(Skipper, NoTackFailsForLongerThan20Seconds) {
             ASSERT_LT(sailing.getTime() - slowSince, 20) << "seed " << seed;
         }
     }
+}
+
+/// A boat at these angles to the wind (degrees), one after the other, a second each, her boom to leeward,
+/// so far (m) to leeward of the mark; what the skipper tells of it.
+std::vector<std::string> reportsOn(const std::vector<real> &windAngles, real fromMark = 500,
+                                   bool capsized = false) {
+    Becalmed sea(6, 0);
+    sailboat::Skipper skipper({{"near", 0, 0}});
+    for (const real angle : windAngles) {
+        sea.boat.launch(fromMark, 0, -angle * DEGREE, 3);
+        sea.boat.setSheet(60 * DEGREE);
+        sea.boat.swingBoom(10);
+        if (capsized)
+            sea.boat.getBody().setOrientation(
+                sea.boat.getBody().getOrientation() *
+                cyclone::Quaternion::fromAxisAngle(Vector3::X, cyclone::REAL_PI));
+        skipper.watch(sea.boat, sea.windspeed, 1);
+    }
+    return skipper.takeReports();
+}
+
+TEST(Skipper, TellsOfEachTackGybeAndFailedTackOnce) {
+    using Reports = std::vector<std::string>;
+    EXPECT_EQ(reportsOn({50, 20, 3, -4, -20, -50, -60}), Reports{"tacked"});
+    // Through the wind's eye and back, twice, before she falls off on the tack she came from.
+    EXPECT_EQ(reportsOn({50, 10, -15, 12, -10, 20, 45, 60}), Reports{"missed the tack"});
+    EXPECT_EQ(reportsOn({50, 10, -15, 12, -10, -20, -45, -60}), Reports{"tacked"});
+    EXPECT_EQ(reportsOn({120, 150, 175, -170, -120}), Reports{"gybed"});
+    EXPECT_EQ(reportsOn({60, 30, 5, 30, 60}), Reports{});
+}
+
+TEST(Skipper, RoundsNoMarkUpsideDown) {
+    EXPECT_EQ(reportsOn({90}, 0, true), std::vector<std::string>{});
+    EXPECT_EQ(reportsOn({90}, 0, false), std::vector<std::string>{"rounded the near mark"});
 }
 
 }  // namespace

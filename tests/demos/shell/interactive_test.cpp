@@ -82,10 +82,11 @@ TEST(DemoInteractive, TheAircraftFliesByTheClassicKeys) {
 }
 
 TEST(DemoInteractive, TheBoatSailsByTheClassicKeys) {
-    // First amidships.
+    // First amidships; then the sheet all the way in, from where the pilot has left it.
     expectRecorded<Sailing>(
-        {"w", "a", "d", "d", "q", "e", "e", "w"},
-        {"rudder 0", "rudder -4", "rudder 0", "rudder 4", "sail -4", "sail 0", "sail 4", "sail 0"});
+        {"w", "a", "d", "d", "q", "q", "q", "q", "q", "q", "q", "q", "q", "e", "z", "x", "x", "w"},
+        {"rudder 0", "rudder -4", "rudder 0", "rudder 4", "sheet 0", "sheet 4", "boom -1", "boom 0", "boom 1",
+         "boom 0"});
 }
 
 TEST(DemoInteractive, NoTimePassesWhilePausedOrReading) {

@@ -78,8 +78,9 @@ class Cameras {
         return smoothed;
     }
 
-    /// Eye, target and field of view (vertical, rad) for a moment; `aspect` is the picture's width over its height.
-    view(moment, aspect, now) {
+    /// Eye, target and field of view (vertical, rad) for a moment; `aspect` is the picture's width over its height,
+    /// `headroom` the share of the height that buttons take at the top: the scene stands in what is left.
+    view(moment, aspect, headroom, now) {
         const { run } = this, body = moment.poses[0].position;
         const isFlat = run.flat && this.mode === 'orbit', middle = isFlat ? run.cameras.height : run.middle[1];
         const target = Vec.add(body, [0, middle, 0]);
@@ -87,6 +88,8 @@ class Cameras {
         const tall = isFlat ? Math.tan(0.425) / flatness : Math.tan(0.36);
         const fov = 2 * Math.atan(tall / Math.min(1, aspect) ** 0.7);
         const view = this.mode === 'ground' ? this.fromGround(target, fov, aspect) : this.around(moment, target, fov);
+        const lower = [0, headroom * Math.tan(view.fov / 2) * Vec.size(Vec.sub(view.eye, view.target)), 0];
+        for (const end of ['eye', 'target']) view[end] = Vec.add(view[end], lower);
         if (!run.space) view.eye[1] = Math.max(view.eye[1], this.highestWave + 0.06 * run.radius + 0.05);
         this.last = this.glide(view, now);
         return this.last;

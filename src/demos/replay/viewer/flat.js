@@ -1,6 +1,8 @@
 'use strict';
 // Paints the same scene on a plain canvas, far things first, where there is no WebGL 2.
 
+const standing = { position: [0, 0, 0], orientation: [1, 0, 0, 0] };
+
 class FlatPainter {
     constructor(canvas, run) {
         Object.assign(this, { pen: canvas.getContext('2d'), run, trail: trailsOf(run).path });
@@ -15,7 +17,8 @@ class FlatPainter {
             this.pen.fillRect(0, 0, width, height);
         } else {
             this.paintSky(view, camera);
-            this.paintGrid(view, moment);
+            if (!this.run.sea) this.paintFields(view);
+            this.paintGrid(view);
             this.paintMarks();
             this.paintShadow(moment);
         }
@@ -61,6 +64,21 @@ class FlatPainter {
         pen.fillRect(0, horizon, width, Math.max(0, height - horizon));
     }
 
+    /// Those around, in the colours of the others' mean where they are far off.
+    paintFields(view) {
+        const { pen, look } = this, reach = 14;
+        const column = Math.round(view.target[0] / fieldWidth), row = Math.round(view.target[2] / fieldDepth);
+        for (let r = row - reach; r < row + reach; ++r)
+            for (let c = column - reach; c < column + reach; ++c) {
+                const x = (c - 0.61 * r % 1) * fieldWidth, z = r * fieldDepth, kind = Math.abs(Math.imul(c * 7 + r * 131, 2654435761)) >> 8;
+                pen.globalAlpha = clamp(1.6 * (1 - Math.hypot(c - column, r - row) / reach), 0, 1);
+                pen.fillStyle = look.fields[kind % 4];
+                this.trace([[x, 0, z], [x + fieldWidth, 0, z], [x + fieldWidth, 0, z + fieldDepth], [x, 0, z + fieldDepth]], true);
+                pen.fill();
+            }
+        pen.globalAlpha = 1;
+    }
+
     paintGrid(view) {
         const { pen, look, run } = this, { cell } = gridAt(view, this.height), reach = 24;
         const at = [0, 2].map(axis => Math.round(view.target[axis] / cell) * cell);
@@ -94,7 +112,9 @@ class FlatPainter {
         pen.strokeStyle = look.trail;
         pen.lineWidth = 2;
         for (const [a, b, , to] of this.trail) {
-            pen.globalAlpha = to <= now ? 0.8 : 0.16;
+            const opacity = (to <= now ? 0.8 : 0.16) * fadedAfter(run, to - now);
+            if (opacity < 0.03) continue;
+            pen.globalAlpha = opacity;
             this.trace(run.sea ? [a, b].map(p => [p[0], run.surface(p[0], p[2], now), p[2]]) : [a, b]);
             pen.stroke();
         }
@@ -105,15 +125,16 @@ class FlatPainter {
         const { pen, look, run } = this;
         pen.fillStyle = look.shadow;
         pen.beginPath();
-        run.parts.forEach((part, index) => {
-            if (part.ghost) return;
+        const cast = (part, pose) => {
             for (const face of part.faces) {
-                const flat = this.placed(moment.poses[index], face.corners).map(p => [p[0], run.surface(p[0], p[2], this.time), p[2]]);
+                const flat = this.placed(pose, face.corners).map(p => [p[0], run.surface(p[0], p[2], this.time), p[2]]);
                 if (Vec.normal(flat)[1] < 0) flat.reverse();
                 this.image(flat, true).forEach(([x, y], i) => (i ? pen.lineTo(x, y) : pen.moveTo(x, y)));
                 pen.closePath();
             }
-        });
+        };
+        run.fixtures.forEach(part => cast(part, standing));
+        run.parts.forEach((part, index) => { if (!part.ghost) cast(part, moment.poses[index]); });
         pen.globalAlpha = 0.3;
         pen.fill();
         pen.globalAlpha = 1;
@@ -136,7 +157,7 @@ class FlatPainter {
             const light = look.ambient + 0.08 * normal[1] + look.sunlight * Math.max(facing, through);
             faces.push({ corners, distance: Vec.size(toEye), colour: this.shade(face.colour, light), opacity: part.ghost ? 0.35 : 1 });
         });
-        run.fixtures.forEach(part => collect(part, { position: [0, 0, 0], orientation: [1, 0, 0, 0] }));
+        run.fixtures.forEach(part => collect(part, standing));
         run.parts.forEach((part, index) => collect(part, moment.poses[index]));
         faces.sort((a, b) => b.distance - a.distance);
         pen.lineJoin = 'round';

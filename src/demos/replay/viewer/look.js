@@ -3,12 +3,14 @@
 
 const looks = {
     light: {
-        zenith: '#78aed6', horizon: '#eaf0f1', ground: '#d5dbc6', line: '#8b9a78', deep: '#3f7f96', shallow: '#79b3bd',
+        zenith: '#78aed6', horizon: '#eaf0f1', ground: '#93a670', line: '#6f8353',
+        fields: ['#8fa866', '#a3b277', '#7f9a5c', '#b9b17d'], hedge: '#5f7a48', deep: '#3f7f96', shallow: '#79b3bd',
         foam: '#ffffff', trail: '#b3402a', wind: '#33475a', shadow: '#2b3a33', ambient: 0.68, sunlight: 0.34, glitter: 0.3, cloud: 0.75,
         arrow: colour => colour,
     },
     dark: {
-        zenith: '#0b131c', horizon: '#2c3d4b', ground: '#1e2723', line: '#61746a', deep: '#0c2735', shallow: '#1d4a5b',
+        zenith: '#0b131c', horizon: '#2c3d4b', ground: '#1f2a22', line: '#51635a',
+        fields: ['#1f2b22', '#253027', '#1a261d', '#2b2d23'], hedge: '#141d17', deep: '#0c2735', shallow: '#1d4a5b',
         foam: '#9fc3cf', trail: '#ff9d7a', wind: '#d5e2ec', shadow: '#04080a', ambient: 0.58, sunlight: 0.34, glitter: 0.2, cloud: 0.14,
         space: '#0a0d16', arrow: colour => lightened(colour, 0.35),
     },
@@ -22,6 +24,9 @@ function lookAt(run, theme) {
 
 const rgb = hex => [1, 3, 5].map(at => parseInt(hex.slice(at, at + 2), 16) / 255);
 const lightened = (hex, much) => '#' + rgb(hex).map(level => Math.round(255 * mix(level, 1, much)).toString(16).padStart(2, '0')).join('');
+
+/// The fields on land: rows of them, each row shifted against the next. All in metres.
+const fieldWidth = 64, fieldDepth = 44;
 
 const sun = Vec.unit([0.45, 0.8, 0.35]);
 
@@ -54,6 +59,11 @@ function arrowsAt(run, moment, look) {
     if (wind) arrows.push({ ...wind, colour: look.wind });
     return arrows;
 }
+
+/// How strong a trail still is that many seconds from now: it fades, in a long run to next to nothing.
+const fadeTime = 12;
+const faintest = run => clamp(15 / (run.end - run.start || 1), 0.02, 0.5);
+const fadedAfter = (run, seconds) => mix(faintest(run), 1, Math.exp(-Math.abs(seconds) / fadeTime));
 
 /// The ways of all that leave a trail as pieces of line [a, b, timeA, timeB]; and, above land, a plumb line every second.
 function trailsOf(run) {

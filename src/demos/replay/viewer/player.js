@@ -15,8 +15,7 @@ class Player {
         this.changed = () => { this.dirty = true; };
         this.tell();
         this.stage = new Stage(run, this.changed);
-        this.plots = run.panels.map(panel => new Plot(run, panel, time => this.seek(time)));
-        $('plots').append(...this.plots.map(plot => plot.element));
+        this.plots = [];
         this.listenToControls();
         this.listenToKeys();
         this.followTheme();
@@ -203,6 +202,17 @@ class Player {
         if (!this.dirty && !this.stage.cameras.gliding) return;
         this.dirty = false;
         this.show(now);
+        this.addPlot();
+    }
+
+    /// One after each picture, so that a long run plays while its channels are still being unpacked.
+    addPlot() {
+        const panel = this.run.panels[this.plots.length];
+        if (!panel) return;
+        const plot = new Plot(this.run, panel, time => this.seek(time));
+        this.plots.push(plot);
+        $('plots').append(plot.element);
+        this.changed();
     }
 
     advance(seconds) {

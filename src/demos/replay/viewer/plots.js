@@ -1,6 +1,9 @@
 'use strict';
 // The plots beside the scene: one for each panel, all over the same stretch of time, with a cursor at the moment shown.
 
+/// Of a longer run the plots show a stretch around the moment, s, and turn the page this often.
+const stretch = 120, page = 60;
+
 const margins = { left: 38, right: 12, top: 8, bottom: 18 };
 
 /// The smallest of 1, 2 or 5 times a power of ten that cuts the range into no more than so many steps.
@@ -25,6 +28,7 @@ class Plot {
         Object.assign(this, { run, panel });
         this.axes = document.createElement('canvas');
         this.curves = document.createElement('canvas');
+        Object.assign(this, { from: run.start, to: run.end });
         this.findRange();
         this.makeElement();
         this.listen(seek);
@@ -66,14 +70,14 @@ class Plot {
 
     /// A mouse seeks at once; a finger once it goes sideways, or taps: up and down it scrolls.
     listen(seek) {
-        const { canvas, run } = this;
+        const { canvas } = this;
         let from = null, seeking = false;
         const go = event => {
             const across = event.clientX - canvas.getBoundingClientRect().left - margins.left;
-            seek(mix(run.start, run.end, clamp(across / (canvas.clientWidth - margins.left - margins.right), 0, 1)));
+            seek(mix(this.from, this.to, clamp(across / (canvas.clientWidth - margins.left - margins.right), 0, 1)));
         };
         canvas.addEventListener('pointerdown', event => {
-            from = event;
+            from = this.held = event;
             seeking = event.pointerType === 'mouse';
             canvas.setPointerCapture(event.pointerId);
             if (seeking) go(event);
@@ -86,14 +90,24 @@ class Plot {
         });
         canvas.addEventListener('pointerup', event => {
             if (from && (seeking || Math.abs(event.clientY - from.clientY) < 10)) go(event);
-            from = null;
+            from = this.held = null;
         });
-        canvas.addEventListener('pointercancel', () => { from = null; });
+        canvas.addEventListener('pointercancel', () => { from = this.held = null; });
+    }
+
+    /// Turns to the page with this time on it, but not under a hand that seeks.
+    turnTo(time) {
+        const { run } = this, last = run.end - stretch;
+        if (last <= run.start + page / 2 || this.held) return;
+        const from = clamp(run.start + page * Math.floor((time - run.start) / page - 0.5), run.start, last);
+        if (from === this.from && this.to === from + stretch) return;
+        Object.assign(this, { from, to: from + stretch });
+        this.width = 0;
     }
 
     x(time) {
-        const { run, width } = this;
-        return margins.left + (time - run.start) / (run.end - run.start || 1) * (width - margins.left - margins.right);
+        const { from, to, width } = this;
+        return margins.left + (time - from) / (to - from || 1) * (width - margins.left - margins.right);
     }
     y(value) {
         return mix(this.height - margins.bottom, margins.top, (value - this.least) / (this.most - this.least));
@@ -134,34 +148,35 @@ class Plot {
         }
         pen.textBaseline = 'alphabetic';
         pen.textAlign = 'center';
-        const step = roundStep(run.end - run.start || 1, Math.max(2, Math.floor((right - margins.left) / 60)));
-        for (let n = Math.ceil(run.start / step); n * step <= run.end + 1e-6; ++n) {
+        const step = roundStep(this.to - this.from || 1, Math.max(2, Math.floor((right - margins.left) / 60)));
+        for (let n = Math.ceil(this.from / step); n * step <= this.to + 1e-6; ++n) {
             const x = this.x(n * step), text = stepText(n, step);
             rule(Math.round(x) + 0.5, bottom, Math.round(x) + 0.5, bottom + 3, this.colour('--axis'));
-            pen.fillText(n === 0 || (n + 1) * step > run.end + 1e-6 ? `${text} s` : text, Math.min(x, width - 14), height - 3);
+            pen.fillText(n === 0 || (n + 1) * step > this.to + 1e-6 ? `${text} s` : text, Math.min(x, width - 14), height - 3);
         }
-        for (const { time } of run.events) rule(this.x(time), margins.top, this.x(time), bottom, this.colour('--event'));
+        for (const { time } of run.events.filter(event => event.time >= this.from && event.time <= this.to)) rule(this.x(time), margins.top, this.x(time), bottom, this.colour('--event'));
     }
 
     /// A line is broken where the run was cut and where an angle goes round from one end of its range to the other.
     drawCurves(pen) {
-        const { run } = this;
+        const { run } = this, first = run.frameAt(this.from), last = run.frameAt(this.to);
         pen.lineWidth = 1.6;
         pen.lineJoin = 'round';
         this.panel.channels.forEach(({ values, unit }, index) => {
             pen.strokeStyle = this.colour(`--series-${index % 5}`);
             pen.beginPath();
-            values.forEach((value, n) => {
-                const around = unit === '°' && n > 0 && Math.abs(value - values[n - 1]) > 180;
-                if (n === 0 || around || run.cuts.has(n)) pen.moveTo(this.x(run.time[n]), this.y(value));
+            for (let n = first; n <= last; ++n) {
+                const value = values[n], around = unit === '°' && n > first && Math.abs(value - values[n - 1]) > 180;
+                if (n === first || around || run.cuts.has(n)) pen.moveTo(this.x(run.time[n]), this.y(value));
                 else pen.lineTo(this.x(run.time[n]), this.y(value));
-            });
+            }
             pen.stroke();
         });
     }
 
     /// What is past is strong, what is to come is faint.
     paint(moment) {
+        this.turnTo(moment.time);
         if (this.canvas.clientWidth !== this.width || this.canvas.clientHeight !== this.height) this.prepare();
         if (!this.width) return;
         const pen = this.canvas.getContext('2d'), { width, height, panel } = this, x = this.x(moment.time);

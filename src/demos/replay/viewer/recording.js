@@ -5,11 +5,18 @@
 function decodeColumn(column, count) {
     if (typeof column === 'number') return new Float64Array(count).fill(column);
     if (Array.isArray(column)) return Float64Array.from(column);
-    const bytes = Uint8Array.from(atob(column.u16 || column.f32), c => c.charCodeAt(0));
+    const text = atob(column.u16 || column.f32), bytes = new Uint8Array(text.length);
+    for (let n = 0; n < text.length; ++n) bytes[n] = text.charCodeAt(n);
     const view = new DataView(bytes.buffer), values = new Float64Array(count);
-    for (let n = 0; n < count; ++n)
-        values[n] = column.f32 ? view.getFloat32(4 * n, true) : column.least + column.step * view.getUint16(2 * n, true);
+    if (column.f32) for (let n = 0; n < count; ++n) values[n] = view.getFloat32(4 * n, true);
+    else for (let n = 0; n < count; ++n) values[n] = column.least + column.step * view.getUint16(2 * n, true);
     return values;
+}
+
+/// A channel, which is unpacked once somebody asks for its values.
+class ChannelOfRun {
+    constructor({ name, unit, panel, values }, decode) { Object.assign(this, { name, unit, panel, unpack: () => decode(values) }); }
+    get values() { return this.unpacked ??= this.unpack(); }
 }
 
 /// The channels by panel, in the order in which the panels first appear.
@@ -34,7 +41,7 @@ class Run {
             fixtures: data.fixtures.map(part => ({ ...part, faces: part.faces.map(Run.face) })),
             paint: data.paint.map(Run.face),
             arrows: data.arrows.map(a => ({ ...a, tail: a.tail.map(decode), vector: a.vector.map(decode) })),
-            channels: data.channels.map(channel => ({ ...channel, values: decode(channel.values) })),
+            channels: data.channels.map(channel => new ChannelOfRun(channel, decode)),
             waves: data.waves.map(wave => {
                 const k = 2 * Math.PI / wave.wavelength;
                 return {

@@ -12,6 +12,37 @@ const shaders = {
             return mix(colour, horizon, 1.0 - exp(-d * d));
         }`,
 
+    /// A number of 0 … 1 for each cell, and its smooth interpolation.
+    noise: `
+        float scatter(vec2 cell) {
+            vec3 p = fract(cell.xyx * 0.1031);
+            p += dot(p, p.yzx + 33.33);
+            return fract((p.x + p.y) * p.z);
+        }
+        float noise(vec2 p) {
+            vec2 cell = floor(p), f = fract(p), s = f * f * (3.0 - 2.0 * f);
+            return mix(mix(scatter(cell), scatter(cell + vec2(1, 0)), s.x), mix(scatter(cell + vec2(0, 1)), scatter(cell + vec2(1, 1)), s.x), s.y);
+        }`,
+
+    /// The land's colour: fields in rows with hedges between them, furrows and tufts, each gone where a pixel
+    /// covers too much of it.
+    fields: `
+        uniform vec3 fields[4], hedge;
+        float seen(float footprint, float size) { return 1.0 - smoothstep(0.25, 0.8, footprint / size); }
+        vec3 land(vec2 at, vec3 mean) {
+            vec2 w = fwidth(at), size = vec2(${fieldWidth}.0, ${fieldDepth}.0);
+            float footprint = max(w.x, w.y), row = floor(at.y / size.y);
+            vec2 place = vec2(at.x / size.x + 0.61 * row, at.y / size.y), cell = vec2(floor(place.x), row);
+            float kind = scatter(cell + 7.0), way = scatter(cell + 31.0);
+            vec3 tint = fields[int(min(kind * 4.0, 3.0))];
+            float furrow = sin((way < 0.5 ? at.x + 0.2 * at.y : at.y - 0.15 * at.x) * 2.4) * seen(footprint, 1.2);
+            tint *= 1.0 + 0.035 * furrow + 0.16 * (noise(at * 0.9) - 0.5) * seen(footprint, 1.1) + 0.12 * (noise(at * 0.11) - 0.5) * seen(footprint, 9.0);
+            vec2 border = min(fract(place), 1.0 - fract(place)) * size;
+            float edge = min(border.x, border.y) - 0.6 * noise(at * 0.7);
+            tint = mix(tint, hedge, (1.0 - smoothstep(0.1, 0.4 + footprint, edge)) * seen(footprint, 12.0));
+            return mix(mean, tint, seen(footprint, 40.0));
+        }`,
+
     /// The sea's height at a place; a train too short for the mesh or the picture is left out bit by bit.
     /// waves: k.x, k.z, amplitude, phase − ω t.
     waves: count => `
@@ -44,20 +75,11 @@ const shaders = {
                 at = vec2(gl_VertexID & 1, gl_VertexID >> 1) * 4.0 - 1.0;
                 gl_Position = vec4(at, 1.0, 1.0);
             }`,
-        fragment: () => `${shaders.air}
+        fragment: () => `${shaders.air}${shaders.noise}
             uniform vec3 right, up, ahead, foam;
             uniform float cloud;
             in vec2 at;
             out vec4 colour;
-            float scatter(vec2 cell) {
-                vec3 p = fract(cell.xyx * 0.1031);
-                p += dot(p, p.yzx + 33.33);
-                return fract((p.x + p.y) * p.z);
-            }
-            float noise(vec2 p) {
-                vec2 cell = floor(p), f = fract(p), s = f * f * (3.0 - 2.0 * f);
-                return mix(mix(scatter(cell), scatter(cell + vec2(1, 0)), s.x), mix(scatter(cell + vec2(0, 1)), scatter(cell + vec2(1, 1)), s.x), s.y);
-            }
             float veil(vec2 p) {  // thin high clouds, to tell up from sideways by
                 float sum = 0.0, share = 0.5;
                 for (int i = 0; i < 5; ++i, share *= 0.5, p = mat2(1.6, 1.2, -1.2, 1.6) * p) sum += share * noise(p);
@@ -83,7 +105,7 @@ const shaders = {
                 world = vec3(at.x, sea(at) * (1.0 - smoothstep(150.0, 600.0, length(place))), at.y);
                 gl_Position = viewProjection * vec4(world, 1.0);
             }`,
-        fragment: run => `${shaders.air}${shaders.waves(run.waves.length)}${shaders.shadow}
+        fragment: run => `${shaders.air}${shaders.waves(run.waves.length)}${shaders.shadow}${shaders.noise}${shaders.fields}
             #define SEA ${run.sea ? 1 : 0}
             uniform vec3 near, far, line, foam, shade;
             uniform vec2 grid;
@@ -106,14 +128,14 @@ const shaders = {
                 for (int i = 0; i < 5; ++i) {  // ripples, too small to move anything
                     float turn = 2.4 * float(i), k = (2.1 + 0.9 * float(i)) / size;
                     vec2 way = vec2(cos(turn), sin(turn));
-                    float phase = k * dot(way, at) - sqrt(9.81 * k) * time + 1.7 * float(i);
+                    float phase = k * dot(way, at) - (4.5 + 0.75 * float(i)) / sqrt(size) * time + 1.7 * float(i);
                     slope += way * 0.022 * cos(phase) * (1.0 - smoothstep(0.4, 1.8, fwidth(phase)));
                 }
                 return normalize(vec3(-slope.x, 1.0, -slope.y));
             }
             void main() {
                 vec3 base = near, toEye = normalize(eye - world);
-                float strength = 0.4;
+                float strength = 0.3;
                 if (SEA == 1) {
                     vec3 normal = waterNormal(world.xz);
                     float facing = max(dot(normal, toEye), 0.0);
@@ -123,6 +145,8 @@ const shaders = {
                     base = mix(body, sky(mirrored), 0.03 + 0.85 * pow(1.0 - facing, 4.0));
                     base += foam * glitter * pow(max(dot(mirrored, sun), 0.0), 260.0);
                     strength = 0.24;
+                } else {
+                    base = land(world.xz, near);
                 }
                 float fine = lines(world.xz, grid.x * 0.1, 0.5) * grid.y;
                 float drawn = max(max(fine * 0.45, lines(world.xz, grid.x, 0.6)), lines(world.xz, grid.x * 10.0, 1.1) * 1.3);
@@ -132,7 +156,7 @@ const shaders = {
             }`,
     },
 
-    /// Flat marks on the ground, which take shadows.
+    /// Flat marks on the ground, which take shadows, and shadows themselves: `darkness` is 1 for those.
     paint: {
         vertex: () => `
             layout(location = 0) in vec3 place;
@@ -146,12 +170,12 @@ const shaders = {
             }`,
         fragment: () => `${shaders.air}${shaders.shadow}
             uniform vec3 shade;
-            uniform float ambient, sunlight;
+            uniform float ambient, sunlight, darkness, opacity;
             in vec3 world, tint;
             out vec4 colour;
             void main() {
                 vec3 lit = tint * (ambient + 0.08 + sunlight * sun.y);
-                colour = vec4(haze(mix(lit, shade, shadowAt(world.xz) * 0.5), world), 1.0);
+                colour = vec4(haze(mix(lit, shade, max(darkness, shadowAt(world.xz) * 0.5)), world), opacity);
             }`,
     },
 
@@ -197,7 +221,7 @@ const shaders = {
             void main() { colour = vec4(1.0); }`,
     },
 
-    /// Pieces of line, some pixels wide: the way flown, strong up to now and faint after.
+    /// Pieces of line, some pixels wide: the way flown, strong up to now and faint after, faded by age.
     trail: {
         vertex: run => `${shaders.waves(run.waves.length)}
             layout(location = 0) in vec4 from;  // x, y, z, time
@@ -226,9 +250,12 @@ const shaders = {
             }`,
         fragment: () => `
             uniform vec3 pen;
-            uniform float now, past, future;
+            uniform float now, past, future, faintest, fadeTime;
             in float when;
             out vec4 colour;
-            void main() { colour = vec4(pen, when <= now ? past : future); }`,
+            void main() {
+                float fresh = mix(faintest, 1.0, exp(-abs(when - now) / fadeTime));
+                colour = vec4(pen, fresh * (when <= now ? past : future));
+            }`,
     },
 };

@@ -4,7 +4,7 @@
 class SolidPainter {
     /// null where the browser has no WebGL 2.
     static on(canvas, run) {
-        const gl = canvas.getContext('webgl2', { antialias: true, alpha: false, powerPreference: 'low-power' });
+        const gl = canvas.getContext('webgl2', { antialias: true, alpha: false, stencil: true, powerPreference: 'low-power' });
         return gl && new SolidPainter(gl, run);
     }
 
@@ -14,6 +14,7 @@ class SolidPainter {
         this.parts = run.parts.map(part => this.mesh(SolidPainter.triangles(part.faces)));
         this.fixtures = run.fixtures.map(part => this.mesh(SolidPainter.triangles(part.faces)));
         this.marks = this.mesh(SolidPainter.triangles(run.paint));
+        this.casts = this.mesh(SolidPainter.triangles(run.fixtures.flatMap(part => part.faces).map(SolidPainter.flattened)));
         this.shaft = this.mesh(SolidPainter.triangles(SolidPainter.prism(1)));
         this.head = this.mesh(SolidPainter.triangles(SolidPainter.prism(0)));
         this.disc = this.makeDisc();
@@ -59,6 +60,9 @@ class SolidPainter {
         }
         return numbers;
     }
+
+    /// A face's shadow on the land, straight below it.
+    static flattened(face) { return { ...face, corners: face.corners.map(([x, , z]) => [x, 0, z]) }; }
 
     /// A unit prism along +X: a cylinder, or with a top of width 0 a cone.
     static prism(top) {
@@ -156,12 +160,13 @@ class SolidPainter {
         const shadow = this.castShadow(moment, matrices);
 
         gl.viewport(0, 0, width, height);
-        gl.clear(gl.DEPTH_BUFFER_BIT);
+        gl.clear(gl.DEPTH_BUFFER_BIT | gl.STENCIL_BUFFER_BIT);
         this.paintSky(shared, camera, view.fov, width / height);
         gl.enable(gl.DEPTH_TEST);
         if (!run.space) {
             this.paintSurface(shared, view, look, shadow, height);
             this.paintMarks(shared, look, shadow);
+            if (!run.sea) this.paintCasts(shared, look);
         }
         this.paintFixtures(shared);
         this.paintParts(shared, matrices);
@@ -201,7 +206,7 @@ class SolidPainter {
         const [near, far] = run.sea ? [look.shallow, look.deep] : [look.ground, look.ground];
         this.use('surface', {
             ...shared, near: rgb(near), far: rgb(far), line: rgb(run.sea ? look.foam : look.line), shade: rgb(look.shadow),
-            glitter: look.glitter, grid: [grid.cell, grid.fine], shadow, silhouette: 0, size: Math.max(0.4, 0.3 * run.radius),
+            fields: look.fields.flatMap(rgb), hedge: rgb(look.hedge), glitter: look.glitter, grid: [grid.cell, grid.fine], shadow, silhouette: 0, size: Math.max(0.4, 0.3 * run.radius),
             centre: [0, 2].map(axis => (view.eye[axis] + view.target[axis]) / 2),
         });
         gl.bindVertexArray(this.disc.array);
@@ -213,8 +218,24 @@ class SolidPainter {
     paintMarks(shared, look, shadow) {
         const { gl } = this;
         gl.depthMask(false);
-        this.use('paint', { ...shared, shade: rgb(look.shadow), shadow, silhouette: 0 });
+        this.use('paint', { ...shared, shade: rgb(look.shadow), shadow, silhouette: 0, darkness: 0 });
         this.draw(this.marks);
+        gl.depthMask(true);
+    }
+
+    /// The fixtures' shadows, each spot darkened once.
+    paintCasts(shared, look) {
+        const { gl } = this;
+        gl.depthMask(false);
+        gl.enable(gl.BLEND);
+        gl.blendFunc(gl.SRC_ALPHA, gl.ONE_MINUS_SRC_ALPHA);
+        gl.enable(gl.STENCIL_TEST);
+        gl.stencilFunc(gl.EQUAL, 0, 255);
+        gl.stencilOp(gl.KEEP, gl.KEEP, gl.INCR);
+        this.use('paint', { ...shared, shade: rgb(look.shadow), darkness: 1, opacity: 0.35 });
+        this.draw(this.casts);
+        gl.disable(gl.STENCIL_TEST);
+        gl.disable(gl.BLEND);
         gl.depthMask(true);
     }
 
@@ -254,7 +275,7 @@ class SolidPainter {
         gl.enable(gl.BLEND);
         gl.blendFunc(gl.SRC_ALPHA, gl.ONE_MINUS_SRC_ALPHA);
         gl.depthMask(false);
-        const pen = { ...shared, pen: rgb(look.trail), now, lift: 0.02 * this.run.radius };
+        const pen = { ...shared, pen: rgb(look.trail), now, fadeTime, faintest: faintest(this.run), lift: 0.02 * this.run.radius };
         this.use('trail', { ...pen, width: Math.max(1, 1.1 * unit), past: 0.3, future: 0 });
         this.drawPieces(this.plumbs);
         this.use('trail', { ...pen, width: Math.max(1.4, 2.2 * unit), past: 0.8, future: 0.16 });
@@ -263,16 +284,18 @@ class SolidPainter {
         gl.disable(gl.BLEND);
     }
 
-    /// First, faintly, what of them is hidden; then what is seen.
+    /// First, faintly, what of them is hidden; then what is seen. In a flat scene they lie on top.
     paintArrows(shared, arrows, eye, pixel) {
         const { gl } = this;
         gl.enable(gl.BLEND);
         this.use('solid', { ...shared, thin: 0 });
-        for (const [test, opacity] of [[gl.GREATER, 0.22], [gl.LESS, 1]]) {
+        const passes = this.run.flat ? [[gl.ALWAYS, 1]] : [[gl.GREATER, 0.22], [gl.LESS, 1]];
+        for (const [test, opacity] of passes) {
             gl.depthFunc(test);
             gl.depthMask(opacity === 1);
             for (const arrow of arrows) this.paintArrow(arrow, Vec.size(Vec.sub(arrow.tail, eye)) * pixel, opacity);
         }
+        gl.depthFunc(gl.LESS);
         gl.depthMask(true);
         gl.disable(gl.BLEND);
     }

@@ -38,7 +38,8 @@ class Stage {
         const width = Math.max(1, Math.round(clientWidth * sharpness)), height = Math.max(1, Math.round(clientHeight * sharpness));
         if (this.canvas.width !== width) this.canvas.width = width;
         if (this.canvas.height !== height) this.canvas.height = height;
-        const look = lookAt(this.run, theme), view = this.cameras.view(moment, width / height, now);
+        const look = lookAt(this.run, theme), buttons = 2 * this.pills[0].offsetTop + this.pills[0].offsetHeight;
+        const view = this.cameras.view(moment, width / height, buttons / (clientHeight || 1), now);
         const arrows = withArrows ? arrowsAt(this.run, moment, look) : [];
         this.painter.paint({ view, moment, look, arrows, width, height });
         this.placeLabels(arrows, view, clientWidth, clientHeight);
