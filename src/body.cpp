@@ -90,9 +90,9 @@ void RigidBody::setPrincipalInertia(const Matrix3 &tensor, bool isInverse, const
 
 void RigidBody::setPrincipalFrame(const Vector3 &inverseMoments, const Quaternion &axes) {
     inverseInertia = inverseMoments;
-    principalFrame.intermediateAxis = axisOfIntermediateValue(inverseInertia) & 3;
     principalAxes = axes;
-    principalFrame.isTurned = axes != Quaternion();
+    principalFrame = axisOfIntermediateValue(inverseInertia);
+    if (axes != Quaternion()) principalFrame |= TURNED;
 }
 
 void RigidBody::setInertiaTensor(const Matrix3 &inertiaTensor) {
@@ -261,7 +261,7 @@ void RigidBody::dropLockedForces() {
 }
 
 void RigidBody::wakeForForce(const Vector3 &force, const Vector3 &torque) {
-    if (!faulted && (force != Vector3() || torque != Vector3())) setAwake(true);
+    if (!faulted && (possible(force) != Vector3() || torque != Vector3())) setAwake(true);
 }
 
 void RigidBody::setAwake(bool wake) {

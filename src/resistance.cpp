@@ -208,6 +208,7 @@ Vector6 between(const Vector6 &a, const Vector6 &b, real prop) { return a * (1 -
 /// explicit step.
 void RigidBody::resist(const Resistance &sum, real duration) {
     if (!hasFiniteMass()) return;
+    if (lockedMotion != 0) dropLockedForces();
     const real rootMass = real_sqrt(mass);
     const Scale scale(possible(Vector3(1, 1, 1) * (1 / rootMass)), getPrincipalAxesInWorld(), inverseInertia);
     const Matrix6 b = scale.scaled(sum, duration);

@@ -17,7 +17,7 @@ namespace {
 using State = RigidBody::State;
 
 constexpr std::uint64_t MAGIC = 0x656e6f6c637943;  // "Cyclone"
-constexpr std::uint64_t VERSION = 3;               // of the order and meaning of the words
+constexpr std::uint64_t VERSION = 4;               // of the order and meaning of the words
 
 // ---- Words of 64 bits, and their bytes
 

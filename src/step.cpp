@@ -77,9 +77,11 @@ namespace {
 struct Renumbering {
     std::size_t axis[3], element[9];
 };
-constexpr Renumbering RENUMBERINGS[3] = {{{0, 1, 2}, {0, 1, 2, 3, 4, 5, 6, 7, 8}},
-                                         {{2, 0, 1}, {8, 6, 7, 2, 0, 1, 5, 3, 4}},
-                                         {{1, 2, 0}, {4, 5, 3, 7, 8, 6, 1, 2, 0}}};
+constexpr Renumbering FROM_X = {{0, 1, 2}, {0, 1, 2, 3, 4, 5, 6, 7, 8}},
+                      FROM_Y = {{2, 0, 1}, {8, 6, 7, 2, 0, 1, 5, 3, 4}},
+                      FROM_Z = {{1, 2, 0}, {4, 5, 3, 7, 8, 6, 1, 2, 0}};
+/// By a body's principalFrame: that the axes are turned makes no difference.
+constexpr Renumbering RENUMBERINGS[7] = {FROM_X, FROM_Y, FROM_Z, {}, FROM_X, FROM_Y, FROM_Z};
 
 void storeRenumbered(real (*rows)[FreeRotation::LANES], const std::size_t *row, int lane, const Vector3 &v) {
     rows[row[0]][lane] = v.x;
@@ -141,9 +143,8 @@ CYCLONE_INLINE bool StepBlock::commit(const Entry &entry, const Quaternion &orie
 // ---- Around the rotation
 
 CYCLONE_INLINE void StepBlock::gather(const RigidBody &body, const AngularImpulse &impulse, int lane) {
-    const std::size_t *const row = RENUMBERINGS[body.principalFrame.intermediateAxis].axis;
-    const Quaternion q =
-        body.principalFrame.isTurned ? body.orientation * body.principalAxes : body.orientation;
+    const std::size_t *const row = RENUMBERINGS[body.principalFrame].axis;
+    const Quaternion q = body.hasTurnedAxes() ? body.orientation * body.principalAxes : body.orientation;
     freeRotation.orientation[0][lane] = q.r;
     storeRenumbered(freeRotation.orientation + 1, row, lane, Vector3(q.i, q.j, q.k));
     storeRenumbered(freeRotation.inverseInertia, row, lane, body.inverseInertia);
@@ -155,16 +156,16 @@ CYCLONE_INLINE void StepBlock::gather(const RigidBody &body, const AngularImpuls
 
 CYCLONE_INLINE void StepBlock::scatter(const Entry &entry, int lane) {
     RigidBody &body = *entry.body;
-    const Renumbering &renumbering = RENUMBERINGS[body.principalFrame.intermediateAxis];
+    const Renumbering &renumbering = RENUMBERINGS[body.principalFrame];
     const std::size_t *const row = renumbering.axis;
     const Vector3 v = loadRenumbered(freeRotation.orientation + 1, row, lane);
     Quaternion orientation(freeRotation.orientation[0][lane], v.x, v.y, v.z);
-    if (body.principalFrame.isTurned) orientation *= body.principalAxes.conjugate();
+    if (body.hasTurnedAxes()) orientation *= body.principalAxes.conjugate();
 
     if (!commit(entry, orientation, loadRenumbered(freeRotation.rotation, row, lane),
                 loadRenumbered(freeRotation.finalMomentum, row, lane)))
         return;
-    if (body.principalFrame.isTurned) return body.calculateDerivedData();
+    if (body.hasTurnedAxes()) return body.calculateDerivedData();
     for (int line = 0; line < 3; ++line)
         for (int column = 0; column < 3; ++column)
             body.transform.data[4 * line + column] =
@@ -200,7 +201,6 @@ void StepBlock::rotateLocked(const Entry &entry, const AngularImpulse &impulse) 
 // ---- The step
 
 void StepBlock::add(RigidBody &body) {
-    if (body.lockedMotion != 0) body.dropLockedForces();
     Entry &entry = entries[count];
     const AngularImpulse impulse = kickAndDrift(body, entry);
     if (!body.isFreeRotor()) return rotateLocked(entry, impulse);
@@ -232,7 +232,10 @@ std::size_t RigidBody::integrate(RigidBody *const *bodies, std::size_t count, re
     for (std::size_t n = 0; n < count; ++n) {
         if (n + detail::PREFETCH_AHEAD < count)
             detail::prefetch(bodies[n + detail::PREFETCH_AHEAD], offsetof(RigidBody, added));
-        if (bodies[n]->awake) block.add(*bodies[n]);
+        RigidBody &body = *bodies[n];
+        if (!body.awake) continue;
+        if (body.lockedMotion != 0) body.dropLockedForces();
+        block.add(body);
     }
     return block.finish();
 }

@@ -262,14 +262,6 @@ private:
     friend class detail::StepBlock;
     friend struct detail::StateMembers;
 
-    /// What is known of the principal axes.
-    struct PrincipalFrame {
-        std::uint8_t intermediateAxis : 2;  ///< that of the middle moment; of equal ones, 1
-        bool isTurned : 1;                  ///< the principal axes are not the body's
-
-        PrincipalFrame() : intermediateAxis(1), isTurned(false) {}
-    };
-
     /// What is true of this object only, and not of a copy of it.
     struct Marks {
         bool inGenerator = false;  ///< a ForceRegistry is calling one of this body's generators
@@ -318,6 +310,9 @@ private:
     }
     bool isFreeRotor() const { return inverseMass > 0 && !hasLockedAxis(); }
     Matrix3 getPrincipalAxesInWorld() const;
+    /// In principalFrame: the principal axes are not the body's.
+    static constexpr std::uint8_t TURNED = 4;
+    bool hasTurnedAxes() const { return (principalFrame & TURNED) != 0; }
 
     void fallAsleepIfIdle(bool isTorqueFree, real duration);
     void markFaulted();
@@ -330,7 +325,7 @@ private:
     bool hasAdded = false;      ///< `added` is not zero
     bool hasGenerated = false;  ///< `generated` is not zero
     std::uint8_t lockedMotion = 0;
-    PrincipalFrame principalFrame;
+    std::uint8_t principalFrame = 1;  ///< the axis of the middle moment, of equal ones 1; and TURNED, if so
     Marks marks;
     Matrix4 transform;
     Vector3 velocity;

@@ -202,10 +202,32 @@ TEST(LockedMotion, AStateThatMovesAlongItIsRefused) {
 }
 
 TEST(LockedMotion, APoisonedForceAlongItDoesNoHarm) {
+    const auto positionAfter = [](real resistance, real push) {
+        World world;
+        RigidBody *const body = world.createBody();
+        *body = planar();
+        world.createForce<Aero>(body, diagonal(-resistance, -3 * resistance, 0), Vector3(), nullptr);
+        world.createForce<Push>(body, Vector3(1, 0, push));
+        body->addForce(Vector3(0, 1, push));
+        world.runPhysics(STEP);
+        expectInPlane(*body, "a poisoned force");
+        EXPECT_FALSE(body->hasFaulted());
+        return body->getPosition();
+    };
+    for (const real resistance : {0.0, 150.0, 1e6})
+        EXPECT_EQ(positionAfter(resistance, std::nan("")), positionAfter(resistance, 0)) << resistance;
+}
+
+TEST(LockedMotion, AForceAlongItDoesNotWakeABody) {
     RigidBody body = planar();
-    body.addForce(Vector3(0, 0, std::nan("")));
-    EXPECT_TRUE(body.integrate(STEP));
-    expectInPlane(body, "a force that is not a number");
+    body.setAwake(false);
+    body.addForce(Vector3(0, 0, 5));
+    body.addVelocity(Vector3(0, 0, 5));
+    body.addImpulse(Vector3(0, 0, 5));
+    body.setAcceleration(0, 0, -9.81);
+    EXPECT_FALSE(body.getAwake());
+    body.addForce(Vector3(0, 1, 5));
+    EXPECT_TRUE(body.getAwake());
 }
 
 /// Two bodies of a spring, one of which can only move along x: momentum along x is kept.

@@ -232,7 +232,7 @@ TEST(SnapshotBytes, AreTheSameOnEveryMachine) {
     world.saveState(snapshot);
     const std::vector<std::uint8_t> begin = {
         'C', 'y', 'c', 'l', 'o', 'n', 'e', 0,  // mark
-        3,   0,   0,   0,   0,   0,   0,   0,  // version
+        4,   0,   0,   0,   0,   0,   0,   0,  // version
         2,   0,   0,   0,   0,   0,   0,   0,  // bodies
     };
     ASSERT_EQ(snapshot.size(), 8 * (HEADER + 2 * WORDS_PER_BODY + 1));

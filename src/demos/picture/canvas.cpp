@@ -111,7 +111,7 @@ void Canvas::draw(const Part &part, const Pose &pose, real opacity) {
             if (!part.twoSided) continue;
             normal.invert();
         }
-        fill(corners, lit(face.colour, normal, part.twoSided), opacity);
+        fill(corners, isFlat ? face.colour : lit(face.colour, normal, part.twoSided), opacity);
     }
 }
 

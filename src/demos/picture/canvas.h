@@ -44,6 +44,9 @@ public:
     /// The shadow that the part's portion above y = 0 casts on bare ground or sea.
     void drawShadow(const Part &part, const Pose &pose);
 
+    /// Whether faces keep their own colours, whatever light falls on them, as on a map.
+    bool isFlat = false;
+
     /// A face is brighter the more it faces the sun. One that is seen from behind is drawn only if the part
     /// is twoSided. What one sees through (opacity below 1) hides nothing: draw it last.
     void draw(const Part &part, const Pose &pose, real opacity = 1);

@@ -7,7 +7,7 @@ namespace demo {
 
 namespace {
 
-constexpr Colour WIND{26, 36, 84};
+constexpr Colour WIND{26, 36, 84}, WIND_IN_SPACE{150, 175, 230};
 constexpr real WIND_SCALE = 0.06;     // of the wind's arrow, m for each m/s and m of distance
 constexpr real LOWEST_EYE = 0.4;      // m
 constexpr real SWING_TIME = 0.5;      // s, of the chase camera
@@ -85,19 +85,21 @@ Camera Stage::aim(const Frame &frame, real elapsed) {
 
 void Stage::draw(Canvas &canvas, int columns, int rows, const Frame &frame, real elapsed) {
     canvas.begin(columns, rows, aim(frame, elapsed));
+    canvas.isFlat = viewpoint == Viewpoint::PLANE;
     canvas.draw(scene.surroundings, frame.time);
     for (const Part &paint : scene.paint) canvas.drawOnGround(paint, Pose());
     for (const Part &fixture : scene.fixtures) canvas.drawShadow(fixture, Pose());
     for (const Part &fixture : scene.fixtures) canvas.draw(fixture, Pose());
     drawBodies(canvas, frame);
-    lengthenTrails(frame);
+    follow(frame);
     if (viewpoint == Viewpoint::PLANE) drawTrails(canvas);
     if (showForces)
         for (const Arrow &arrow : frame.arrows) canvas.draw(arrow);
 
     const Vector3 middle = frame.poses.front().position + Vector3::UP * scene.cameras.windHeight;
     const Vector3 wind = -frame.windspeed * (WIND_SCALE * scene.cameras.distance);
-    canvas.draw(Arrow{"wind", middle - wind * 0.5, wind, WIND});
+    const bool isDark = scene.surroundings.terrain == Terrain::SPACE;
+    canvas.draw(Arrow{"wind", middle - wind * 0.5, wind, isDark ? WIND_IN_SPACE : WIND});
 }
 
 /// Shadows first, and last what one sees through.
@@ -115,7 +117,7 @@ void Stage::drawBodies(Canvas &canvas, const Frame &frame) const {
     forEachPart(true, [&](const Part &part, const Pose &pose) { canvas.draw(part, pose, GHOST_OPACITY); });
 }
 
-void Stage::lengthenTrails(const Frame &frame) {
+void Stage::follow(const Frame &frame) {
     std::size_t index = 0;
     for (std::size_t n = 0; n < scene.bodies.size(); index += scene.bodies[n++].parts.size()) {
         std::deque<Vector3> &trail = trails[n];

@@ -24,12 +24,14 @@ public:
     /// the chase camera swings round with a little delay.
     void draw(Canvas &canvas, int columns, int rows, const Frame &frame, real elapsed);
 
+    /// Lengthens the trails without drawing; draw() does so too.
+    void follow(const Frame &frame);
+
     static std::string getName(Viewpoint viewpoint);
 
 private:
     Camera aim(const Frame &frame, real elapsed);
     void drawBodies(Canvas &canvas, const Frame &frame) const;
-    void lengthenTrails(const Frame &frame);
     void drawTrails(Canvas &canvas) const;
 
     const Scene &scene;

@@ -92,11 +92,6 @@ cyclone::HullDrag makeDrag(const Buoyancy *hull, unsigned halfHull) {
 
 }  // namespace
 
-real wrapAngle(real angle) {
-    const real turns = std::floor(angle / (2 * cyclone::REAL_PI) + 0.5);
-    return angle - turns * 2 * cyclone::REAL_PI;
-}
-
 real bearing(const Vector3 &v) { return cyclone::real_atan2(v.z, v.x); }
 
 Catamaran::Catamaran(cyclone::World &w, const Vector3 *wind, const cyclone::Water *surface)

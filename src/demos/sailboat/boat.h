@@ -11,14 +11,15 @@
 
 #include <array>
 
+#include "base/angle.h"
+
 namespace sailboat {
 
 using cyclone::Quaternion;
 using cyclone::real;
 using cyclone::Vector3;
+using demo::wrapAngle;
 
-/// The angle in [−π, π) that differs from this one by whole turns.
-real wrapAngle(real angle);
 /// The compass direction of a vector in the world: 0 is north, π/2 east.
 real bearing(const Vector3 &worldDirection);
 

@@ -8,12 +8,14 @@
 #include <cmath>
 #include <ostream>
 #include <stdexcept>
+#include <utility>
 
 namespace demo {
 
 namespace {
 
 constexpr int STILL_WIDTH = 1024, STILL_HEIGHT = 512;
+constexpr real TIME_TOLERANCE = 1e-6;    // s
 constexpr real PROGRESS_INTERVAL = 0.5;  // s of the wall clock
 
 /// Columns as wide as their heading or their numbers need.
@@ -85,29 +87,41 @@ private:
 
 }  // namespace
 
-void takeStill(const Still &still, const Scene &scene, const Frame &frame) {
-    if (!still.out) return;
-    Stage stage(scene);
+Photographer::Photographer(const Still &s, const Scene &scene) : still(s), stage(scene) {
     stage.viewpoint = still.viewpoint;
     stage.zoom = still.zoom;
     stage.showForces = true;
+}
+
+void Photographer::show(const Frame &frame) {
+    if (!still.out) return;
+    stage.follow(frame);
+    if (frame.time >= still.time - TIME_TOLERANCE) take(frame);
+}
+
+void Photographer::finish(const Frame &frame) {
+    if (still.out) take(frame);
+}
+
+void Photographer::take(const Frame &frame) {
     Canvas canvas;
     stage.draw(canvas, STILL_WIDTH, STILL_HEIGHT / 2, frame, 0);
-    writePng(*still.out, canvas.image());
+    writePng(*std::exchange(still.out, nullptr), canvas.image());
 }
 
 void runHeadless(Session &session, Demonstration &demonstration, std::optional<real> seconds,
                  const Still &still, std::ostream &out, std::ostream *progressOut) {
     const Profile &profile = demonstration.getProfile();
     const real total = seconds.value_or(profile.duration);
-    const auto steps = std::lround(total / profile.step), stillAt = std::lround(still.time / profile.step);
+    const auto steps = std::lround(total / profile.step);
     const auto perLine = std::max(std::lround(1 / profile.step), 1L);
 
     Table table(profile, out);
     Progress progress(progressOut, total);
     table.printHeading();
     table.print(session.getFrame().time, session.getValues());
-    bool taken = false;
+    Photographer photographer(still, demonstration.getScene());
+    photographer.show(session.getFrame());
     for (long n = 1; n <= steps; ++n) {
         if (session.isOver()) {
             if (session.getDriver() != Driver::PILOT || !seconds) break;
@@ -117,13 +131,10 @@ void runHeadless(Session &session, Demonstration &demonstration, std::optional<r
         for (const Event &event : session.takeEvents()) table.print(event);
         if (n % perLine == 0) table.print(session.getFrame().time, session.getValues());
         if (!out) throw std::runtime_error("cannot write to the standard output");
-        if (n == stillAt) {
-            takeStill(still, demonstration.getScene(), session.getFrame());
-            taken = true;
-        }
+        photographer.show(session.getFrame());
         progress.show(session.getFrame().time);
     }
-    if (!taken) takeStill(still, demonstration.getScene(), session.getFrame());
+    photographer.finish(session.getFrame());
     out << session.getReport() << '\n';
 }
 

@@ -178,7 +178,8 @@ const CellGrid &Show::draw(int columns, int rows, real elapsed) {
 int runInteractive(Session &session, Demonstration &demonstration, const Still &still) {
     using Clock = std::chrono::steady_clock;
     Show show(session, demonstration);
-    bool leaving = false, taken = false;
+    Photographer photographer(still, demonstration.getScene());
+    bool leaving = false;
     Terminal terminal;
     Clock::time_point last = Clock::now();
     while (!leaving && terminal.isOpen()) {
@@ -187,14 +188,11 @@ int runInteractive(Session &session, Demonstration &demonstration, const Still &
         const real elapsed = std::chrono::duration<real>(now - last).count();
         last = now;
         show.advance(elapsed);
-        if (!taken && session.getFrame().time >= still.time) {
-            takeStill(still, demonstration.getScene(), session.getFrame());
-            taken = true;
-        }
+        photographer.show(session.getFrame());
         terminal.show(show.draw(terminal.columns(), terminal.rows(), elapsed));
         terminal.wait(FRAME_TIME);
     }
-    if (!taken) takeStill(still, demonstration.getScene(), session.getFrame());
+    photographer.finish(session.getFrame());
     return terminal.exitStatus();
 }
 

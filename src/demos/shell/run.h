@@ -16,8 +16,23 @@ struct Still {
     real zoom = 1;
 };
 
-/// Takes the picture of this moment.
-void takeStill(const Still &still, const Scene &scene, const Frame &frame);
+/// Takes the picture, with the trails up to then.
+class Photographer {
+public:
+    /// The scene must outlive the photographer.
+    Photographer(const Still &still, const Scene &scene);
+
+    /// Shows him a moment, in order; he takes the first that is not before the picture's time.
+    void show(const Frame &frame);
+    /// Takes this moment, the run's last, if he has taken none.
+    void finish(const Frame &frame);
+
+private:
+    void take(const Frame &frame);
+
+    Still still;
+    Stage stage;
+};
 
 /// Runs to the end without a terminal, and prints a table with a line a second, the events and the report.
 /// Without `seconds`: until the session is over, or for the profile's duration. Else that long: a pilot who

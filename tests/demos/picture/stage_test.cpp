@@ -142,6 +142,35 @@ TEST(DemoStage, ATrailShowsWhereABodyCameFromUntilACut) {
     EXPECT_EQ(differing(drawn(with, true), drawn(without, true)), 0);
 }
 
+TEST(DemoStage, ATrailGrowsWithoutDrawingToo) {
+    const Scene scene = makeFlatScene(true);
+    Stage drawn(scene), followed(scene);
+    Canvas onDrawn, onFollowed;
+    for (int n = 0; n <= 20; ++n) {
+        drawn.draw(onDrawn, 100, 50, frameAt({{0.1 * n, 0, 0}}), 0.1);
+        if (n < 20) followed.follow(frameAt({{0.1 * n, 0, 0}}));
+    }
+    followed.draw(onFollowed, 100, 50, frameAt({{2, 0, 0}}), 0.1);
+    EXPECT_EQ(onFollowed.image().pixels, onDrawn.image().pixels);
+}
+
+/// The sun stands behind the plane: lit by it, what faces the viewer would be dim.
+TEST(DemoStage, ThePlaneIsSeenInItsOwnColours) {
+    Scene scene = makeFlatScene(false);
+    scene.cameras.viewpoints = {Viewpoint::PLANE, Viewpoint::SPECTATOR};
+    Stage stage(scene);
+    Canvas canvas;
+    const Colour red{220, 10, 10};
+    const auto showsRed = [&] {
+        stage.draw(canvas, 100, 50, frameAt({{0, 0, 0}}), 0);
+        const std::vector<Colour> &pixels = canvas.image().pixels;
+        return std::count(pixels.begin(), pixels.end(), red) > 0;
+    };
+    EXPECT_TRUE(showsRed());
+    stage.nextViewpoint();
+    EXPECT_FALSE(showsRed());
+}
+
 TEST(DemoStage, TheNextViewpointIsTheScenesNextAndThenTheFirst) {
     Scene scene = makeFlatScene(false);
     scene.cameras.viewpoints = {Viewpoint::PLANE, Viewpoint::CHASE};

@@ -135,6 +135,19 @@ TEST_F(DemoLoop, WritesEveryFile) {
     EXPECT_EQ(readFile(still).substr(1, 3), "PNG");
 }
 
+TEST_F(DemoLoop, AStillShowsTheMomentItWasAskedFor) {
+    const auto stillAt = [&](const char *seconds) {
+        const std::string still = path(std::string(seconds) + ".png");
+        run({"--seconds", "2", "--still", still.c_str(), "--at", seconds});
+        return readFile(still);
+    };
+    const std::string start = stillAt("0"), middle = stillAt("1"), end = stillAt("2");
+    EXPECT_NE(start, middle);
+    EXPECT_NE(middle, end);
+    EXPECT_NE(start, end);
+    EXPECT_EQ(stillAt("60"), end) << "later than the run is at its end";
+}
+
 TEST_F(DemoLoop, MistakesAreOneLineAndStatusTwo) {
     const std::string bad = path("bad.txt");
     std::ofstream(bad) << "0 throttle 1\n1 pitch 3\n";
