@@ -1,5 +1,6 @@
 #include "speedboat/motorboat_parts.h"
 
+#include "models/attitude.h"
 #include "picture/solids.h"
 
 namespace speedboat {
@@ -8,9 +9,10 @@ namespace {
 
 constexpr Colour BOTTOM{198, 52, 44}, SIDE{240, 242, 244}, DECK{205, 172, 120}, FLOOR{120, 96, 70},
     GLASS{96, 140, 170}, SEAT{70, 78, 92}, JACKET{236, 150, 36}, SKIN{225, 178, 140}, COWL{40, 46, 58},
-    LEG{96, 104, 116}, BRASS{214, 176, 84}, FOIL{168, 178, 190}, POINTER{255, 225, 60};
+    LEG{96, 104, 116}, BRASS{214, 176, 84}, FOIL{168, 178, 190}, POINTER{255, 236, 110}, WATER{236, 246, 250};
 
 constexpr real CHINE = -0.19, SHEER = 0.24;  // y, m
+constexpr real SPRAY_HEIGHT = 0.6;           // m: so far it sinks
 const Vector3 PIVOT(-1.38, 0.15, 0);         // of the motor, on the transom
 
 /// Deck, side and bottom of the hull.
@@ -103,6 +105,36 @@ std::vector<Pose> getBoatPoses(const Motorboat &boat) {
                               Quaternion::fromAxisAngle(Vector3::Z, -boat.getTilt());
     return {{body.getPosition(), body.getOrientation()},
             {body.getPointInWorldSpace(PIVOT), body.getOrientation() * turned}};
+}
+
+std::vector<Part> makeSpray(Hull hull) {
+    Part jet{"jet", {}, true};
+    for (const real side : {-1.0, 1.0})
+        addFace(jet, {{0, -0.2, 0}, {-1.2, 0.35, 0.25 * side}, {-3, -0.2, 0.5 * side}}, WATER);
+    if (hull == Hull::FOILS) return {jet};
+    Part sheets{"sheets", {}, true};
+    for (const real side : {-1.0, 1.0}) {
+        addFace(sheets, {{0.9, -0.2, 0.5 * side}, {-0.4, 0.28, 1.5 * side}, {-1.2, -0.2, 0.9 * side}}, WATER);
+        addFace(sheets, {{-1.2, -0.2, 0.9 * side}, {-0.4, 0.28, 1.5 * side}, {-2.6, -0.2, 1.9 * side}},
+                WATER);
+    }
+    return {jet, sheets};
+}
+
+std::vector<Pose> getSprayPoses(const Motorboat &boat, const cyclone::Water &water, Hull hull) {
+    const RigidBody &body = boat.getBody();
+    const Quaternion level = Quaternion::fromAxisAngle(Vector3::UP, -headingOf(body));
+    const auto place = [&](const Vector3 &bodyPoint, real strength) {
+        Vector3 point = body.getPointInWorldSpace(bodyPoint);
+        point.y = water.getHeight(point) - SPRAY_HEIGHT * (1 - cyclone::real_clamp(strength, 0, 1));
+        return Pose{point, level};
+    };
+    const real thrust = boat.getThrust().magnitude() / Motorboat::MAX_THRUST;
+    const Pose jet = place(boat.getScrew(), 4 * thrust);
+    if (hull == Hull::FOILS) return {jet};
+    const real front = Motorboat::STERN + boat.getWettedLength();
+    const real speed = boat.getWettedLength() > 0 ? boat.getSpeed() : 0;
+    return {jet, place(Vector3(front, 0, 0), (speed - 3) / 7)};
 }
 
 Part makePointer() {

@@ -17,6 +17,11 @@ std::vector<Part> makeBoatParts(Hull hull, const Vector3 &screw);
 /// Where those parts are.
 std::vector<Pose> getBoatPoses(const Motorboat &boat);
 
+/// The sheets of water that a planing hull throws aside, and the jet behind the screw.
+std::vector<Part> makeSpray(Hull hull);
+/// They come out of the sea with speed, and sink into it where there is nothing to throw.
+std::vector<Pose> getSprayPoses(const Motorboat &boat, const cyclone::Water &water, Hull hull);
+
 /// To hang over the buoy that is next.
 Part makePointer();
 

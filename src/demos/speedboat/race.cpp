@@ -54,7 +54,7 @@ void Race::fillProfile() {
     profile.settings = {
         {"wind", "SPEED", "Mean wind, from the north, m/s", 5, 0, 15},
         {"gusts", "SPEED", "How much the wind changes (root mean square), m/s", 1, 0, 5},
-        {"waves", "HEIGHT", "Height of the waves, m; 0 is a calm sea", 0.5, 0, 1.5},
+        {"waves", "HEIGHT", "Height of the waves, m; 0 is a calm sea", 0.6, 0, 1.5},
     };
     const real most = Motorboat::MAX_STEERING / DEGREE;
     profile.controls = {
@@ -105,6 +105,7 @@ Scene Race::makeScene() const {
     Scene made;
     made.surroundings.terrain = Terrain::SEA;
     made.bodies = {{makeBoatParts(hull, boat.getScrew()), true, false}};
+    made.bodies.push_back({makeSpray(hull), false, true});
     for (std::size_t n = 0; n < BUOYS.size(); ++n)
         made.bodies.push_back(
             {{makeBuoy(nameOf(n), BUOYS[n].toPort ? TO_PORT : TO_STARBOARD)}, false, false});
@@ -214,6 +215,7 @@ void Race::watchForCapsize() {
 
 std::vector<Pose> Race::getPoses() const {
     std::vector<Pose> poses = getBoatPoses(boat);
+    for (const Pose &pose : getSprayPoses(boat, sea, hull)) poses.push_back(pose);
     const auto afloat = [this](const Vector3 &place) {
         return Pose{place + Vector3::UP * sea.getHeight(place), Quaternion()};
     };
