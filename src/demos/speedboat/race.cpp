@@ -254,13 +254,13 @@ std::string Race::getTask() const {
     const real off = wrapAngle(bearing(way) - headingOf(boat.getBody()));
     return "BUOY " + std::to_string(course.getNext() + 1) + " " +
            fixed(Vector3(way.x, 0, way.z).magnitude(), 0) + "/" + sided(off) +
-           (buoy.toPort ? " leave to port" : " leave to starboard");
+           (buoy.toPort ? " to port" : " to starboard");
 }
 
 std::string Race::getHeadUpLine() const {
     if (capsizedFor > 0) return "CAPSIZED: R to try again";
     return (dryFor > 0 ? "SCREW DRY " + fixed(dryFor, 1) + " s  " : "") + "SPD " + fixed(boat.getSpeed(), 1) +
-           "  " + getTask() + "  LAP " + fixed(getLapTime(), 1) + "  THR " +
+           "  " + getTask() + "  LAP " + fixed(getLapTime(), 0) + "  THR " +
            fixed(100 * boat.getThrottle(), 0) + "%  STEER " + sided(boat.getSteering()) + "  TILT " +
            fixed(boat.getTilt() / DEGREE, 0) + "  TRIM " + fixed(pitchOf(boat.getBody()) / DEGREE, 0) +
            (course.getLaps() > 0 ? "  BEST " + fixed(course.getBestLap(), 1) : "");
