@@ -29,9 +29,9 @@ constexpr std::array<Section, 6> SECTIONS = {{
     {1.96, 1.0, 0.02, 0.03, 0.9},
     {3.06, 1.2, 0.14, 0.14, 0.6},
 }};
-constexpr real SIDE = 0.42;     // m from the keel to where a half section's forces act
+constexpr real SIDE = 0.5;      // m from the keel to where a half section's forces act
 constexpr real DEADRISE = 0.3;  // rad
-constexpr Matrix3 INERTIA(320, 0, 0, 0, 1300, 0, 0, 0, 1200);  // kg·m²
+constexpr Matrix3 INERTIA(280, 0, 0, 0, 1300, 0, 0, 0, 1200);  // kg·m²
 
 /// Near the keel a V has little volume; the floats begin above it.
 constexpr real FLOAT_RISE = 0.26, FLOAT_HALF_DEPTH = 0.3, FLOAT_FULLNESS = 0.8;

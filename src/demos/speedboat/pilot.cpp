@@ -18,7 +18,7 @@ constexpr real STEERING_PER_ERROR = 1.2, STEERING_PER_TURN = 0.35;  // 1, s
 constexpr real STEERING_RATE = 1.5, THROTTLE_RATE = 0.4;            // rad/s, 1/s
 constexpr real SLIGHT_TURN = 0.3, TIGHT_TURN = 1;                   // rad
 constexpr real EASED = 0.6;                                         // throttle in a tight turn
-constexpr real HIGH_BOW = 0.24;                                     // rad: higher, he eases as well
+constexpr real HIGH_BOW = 0.3;                                      // rad: higher, he eases as well
 constexpr real TRIMMED = -0.03;  // rad, of the motor: a little in, for waves
 
 real approach(real now, real target, real mostChange) {

@@ -16,9 +16,10 @@ namespace {
 using cyclone::REAL_PI;
 
 constexpr real DEGREE = REAL_PI / 180;
-constexpr real GUST_MEMORY = 4;   // s
-constexpr real CAPSIZED_FOR = 3;  // s, until the run is over
-constexpr real LONG_JUMP = 0.6;   // s: told at once
+constexpr real WIND_FROM = -REAL_PI / 4;  // north-west
+constexpr real GUST_MEMORY = 4;           // s
+constexpr real CAPSIZED_FOR = 3;          // s, until the run is over
+constexpr real LONG_JUMP = 0.6;           // s: told at once
 constexpr real NEWTONS_PER_METRE = 3000;
 constexpr Colour TO_PORT{214, 46, 40}, TO_STARBOARD{30, 150, 80};
 constexpr Colour PUSH{255, 190, 60}, LIFT{90, 170, 235}, FOIL_LIFT{140, 230, 150};
@@ -52,9 +53,9 @@ void Race::fillProfile() {
     profile.variant = hull == Hull::FOILS ? "hull foils" : "hull planing";
     profile.summary = "Races a motorboat round buoys: with the keyboard in a terminal, otherwise by itself.";
     profile.settings = {
-        {"wind", "SPEED", "Mean wind, from the north, m/s", 5, 0, 15},
+        {"wind", "SPEED", "Mean wind, from the north-west, m/s", 5, 0, 15},
         {"gusts", "SPEED", "How much the wind changes (root mean square), m/s", 1, 0, 5},
-        {"waves", "HEIGHT", "Height of the waves, m; 0 is a calm sea", 0.6, 0, 1.5},
+        {"waves", "HEIGHT", "Height of the waves, m; 0 is a calm sea", 0.7, 0, 1.5},
     };
     const real most = Motorboat::MAX_STEERING / DEGREE;
     profile.controls = {
@@ -121,7 +122,8 @@ Scene Race::makeScene() const {
 
 void Race::prepare(std::uint64_t seed, const std::vector<real> &settings) {
     Random random(seed);
-    wind = demo::Wind(Vector3(settings.at(WIND), 0, 0), settings.at(GUSTS), GUST_MEMORY, profile.step,
+    const Vector3 windFrom(cyclone::real_cos(WIND_FROM), 0, cyclone::real_sin(WIND_FROM));
+    wind = demo::Wind(windFrom * settings.at(WIND), settings.at(GUSTS), GUST_MEMORY, profile.step,
                       random.next());
     setWaves(settings.at(WAVES), random);
     course = Course(BUOYS);
@@ -130,7 +132,7 @@ void Race::prepare(std::uint64_t seed, const std::vector<real> &settings) {
 
 /// No two seeds meet the same waves.
 void Race::setWaves(real height, Random &random) {
-    scene.surroundings.waves = makeSea(height, REAL_PI);
+    scene.surroundings.waves = makeSea(height, WIND_FROM + REAL_PI);
     sea = cyclone::Waves();
     for (cyclone::Waves::Train &train : scene.surroundings.waves) {
         train.phase = random.between(0, 2 * REAL_PI);

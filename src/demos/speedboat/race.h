@@ -12,7 +12,7 @@ namespace speedboat {
 class Race : public Demonstration {
 public:
     enum { THROTTLE, STEERING, TILT };  ///< the controls: 0 … 1; degrees to starboard; degrees out
-    enum { WIND, GUSTS, WAVES };        ///< the settings: m/s, from the north; m/s; m
+    enum { WIND, GUSTS, WAVES };        ///< the settings: m/s, from the north-west; m/s; m
 
     static constexpr real SHORTEST_JUMP = 0.25;  ///< s in the air
 
