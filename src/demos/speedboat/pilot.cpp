@@ -50,7 +50,7 @@ real findError(const Motorboat &boat, const Buoy &buoy) {
 
 }  // namespace
 
-Pilot::Orders Pilot::drive(const Motorboat &boat, const Course &course, real duration) {
+Orders drive(const Motorboat &boat, const Course &course, real duration) {
     const RigidBody &body = boat.getBody();
     const bool made = isMade(course.getNextBuoy(), body);
     const real error = findError(boat, made ? course.getBuoyAfter() : course.getNextBuoy());
@@ -60,10 +60,9 @@ Pilot::Orders Pilot::drive(const Motorboat &boat, const Course &course, real dur
     const real throttle = demo::pitchOf(body) > HIGH_BOW ? EASED : 1 - (1 - EASED) * turn;
 
     const real most = Motorboat::MAX_STEERING;
-    orders.throttle = approach(orders.throttle, throttle, THROTTLE_RATE * duration);
-    orders.steering = approach(orders.steering, real_clamp(steering, -most, most), STEERING_RATE * duration);
-    orders.tilt = TRIMMED;
-    return orders;
+    return {approach(boat.getThrottle(), throttle, THROTTLE_RATE * duration),
+            approach(boat.getSteering(), real_clamp(steering, -most, most), STEERING_RATE * duration),
+            TRIMMED};
 }
 
 }  // namespace speedboat

@@ -6,19 +6,13 @@
 
 namespace speedboat {
 
-/// Steers for the water beside the next buoy, with less throttle while it lies far off the bow.
-class Pilot {
-public:
-    struct Orders {
-        real throttle = 0, steering = 0, tilt = 0;  ///< as Motorboat takes them
-    };
-
-    /// For a step of `duration`, s.
-    Orders drive(const Motorboat &boat, const Course &course, real duration);
-    void startOver() { orders = Orders(); }
-
-private:
-    Orders orders;
+/// As Motorboat takes them.
+struct Orders {
+    real throttle = 0, steering = 0, tilt = 0;
 };
+
+/// The pilot's, for a step of `duration`, s, from where throttle and motor are: he steers for the water
+/// beside the next buoy, with less throttle while it lies far off his course or the bow is high.
+Orders drive(const Motorboat &boat, const Course &course, real duration);
 
 }  // namespace speedboat

@@ -143,7 +143,6 @@ void Race::setWaves(real height, Random &random) {
 void Race::launch() {
     boat.launch(0, 0, 0);
     course.startOver(getTime());
-    pilot.startOver();
     airborneFor = dryFor = capsizedFor = 0;
     lapsBefore = course.getLaps();
 }
@@ -151,7 +150,7 @@ void Race::launch() {
 bool Race::isOver() const { return course.getLaps() > lapsBefore || capsizedFor > CAPSIZED_FOR; }
 
 void Race::steer() {
-    const Pilot::Orders orders = pilot.drive(boat, course, profile.step);
+    const Orders orders = drive(boat, course, profile.step);
     setControl(THROTTLE, orders.throttle);
     setControl(STEERING, orders.steering / DEGREE);
     setControl(TILT, orders.tilt / DEGREE);

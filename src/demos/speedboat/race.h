@@ -61,7 +61,6 @@ private:
     cyclone::Waves sea;
     Motorboat boat;
     Course course;
-    Pilot pilot;
     Vector3 lastPosition;                               ///< before the step
     real airborneFor = 0, dryFor = 0, capsizedFor = 0;  ///< s, until now
     unsigned lapsBefore = 0;                            ///< when it was launched
