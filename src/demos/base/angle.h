@@ -15,4 +15,9 @@ inline real wrapAngle(real angle) {
     return angle - turns * 2 * cyclone::REAL_PI;
 }
 
+/// The compass direction of a vector in the world: 0 is north, which is +X, and π/2 east, +Z.
+inline real bearing(const cyclone::Vector3 &worldDirection) {
+    return cyclone::real_atan2(worldDirection.z, worldDirection.x);
+}
+
 }  // namespace demo

@@ -65,4 +65,13 @@ std::string compassText(real angle) {
     return std::string(3 - digits.size(), '0') + digits;
 }
 
+std::string sided(real angle) {
+    const std::string shown = fixed(std::fabs(angle) / DEGREE, 0);
+    return shown + (shown == "0" ? "" : angle < 0 ? "P" : "S");
+}
+
+std::string counted(unsigned long long number, const std::string &what) {
+    return std::to_string(number) + " " + what + (number == 1 ? "" : "s");
+}
+
 }  // namespace demo

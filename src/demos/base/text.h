@@ -27,4 +27,10 @@ real compassDegrees(real angle);
 /// In three digits, "000" to "359".
 std::string compassText(real angle);
 
+/// An angle off the bow, rad, in degrees with its side: "12P", "12S"; what shows as nought has no side.
+std::string sided(real angle);
+
+/// "1 tack", "2 tacks".
+std::string counted(unsigned long long number, const std::string &what);
+
 }  // namespace demo

@@ -21,6 +21,9 @@ void addBar(Part &part, const Vector3 &from, const Vector3 &to, real width, Colo
 /// A ring for addLoft, in the plane x: an ellipse about (x, y, z) with half axes along y and z.
 std::vector<Vector3> ringAcrossX(const Vector3 &middle, real halfHeight, real halfWidth, int corners = 8);
 
+/// A conical buoy, 2 m high; its origin is at the waterline.
+Part makeBuoy(const std::string &name, Colour colour);
+
 /// Appends a flat face; counter-clockwise seen from its front.
 void addFace(Part &part, const std::vector<Vector3> &corners, Colour colour);
 

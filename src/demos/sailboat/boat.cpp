@@ -92,8 +92,6 @@ cyclone::HullDrag makeDrag(const Buoyancy *hull, unsigned halfHull) {
 
 }  // namespace
 
-real bearing(const Vector3 &v) { return cyclone::real_atan2(v.z, v.x); }
-
 Catamaran::Catamaran(cyclone::World &w, const Vector3 *wind, const cyclone::Water *surface)
     : world(w),
       windspeed(wind),

@@ -18,10 +18,8 @@ namespace sailboat {
 using cyclone::Quaternion;
 using cyclone::real;
 using cyclone::Vector3;
+using demo::bearing;
 using demo::wrapAngle;
-
-/// The compass direction of a vector in the world: 0 is north, π/2 east.
-real bearing(const Vector3 &worldDirection);
 
 /// What a square stern costs that is dragged through the water backwards: nothing while she goes ahead.
 class TransomDrag : public cyclone::HullDrag {

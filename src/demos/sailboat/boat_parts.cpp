@@ -97,19 +97,4 @@ std::vector<Pose> getBoatPoses(const Catamaran &boat) {
             hinge(boat, RUDDER_STOCK, boat.getRudder())};
 }
 
-Part makeMark(const std::string &name, Colour colour) {
-    Part part;
-    part.name = name;
-    const auto ring = [](real y, real radius) {
-        std::vector<Vector3> corners;
-        for (int n = 0; n < 6; ++n) {
-            const real angle = -cyclone::REAL_PI / 3 * n;
-            corners.push_back({radius * cyclone::real_cos(angle), y, radius * cyclone::real_sin(angle)});
-        }
-        return corners;
-    };
-    addLoft(part, {ring(-0.3, 0.8), ring(0.5, 0.8), ring(2.2, 0.1)}, colour);
-    return part;
-}
-
 }  // namespace sailboat

@@ -1,6 +1,6 @@
 #pragma once
 
-/// What the catamaran and her marks look like.
+/// What the catamaran looks like.
 #include "picture/scene.h"
 #include "sailboat/boat.h"
 
@@ -15,8 +15,5 @@ std::vector<Part> makeBoatParts();
 
 /// Where those parts are.
 std::vector<Pose> getBoatPoses(const Catamaran &boat);
-
-/// A buoy to sail round; its origin is at the waterline.
-Part makeMark(const std::string &name, Colour colour);
 
 }  // namespace sailboat

@@ -5,6 +5,8 @@
 #include <cmath>
 
 #include "base/text.h"
+#include "models/sea.h"
+#include "picture/solids.h"
 #include "sailboat/boat_parts.h"
 
 namespace sailboat {
@@ -24,27 +26,15 @@ constexpr real START_HEADING = -1.2, START_SPEED = 1;
 const std::vector<Skipper::Mark> MARKS = {{"windward", 85, 5}, {"wing", 40, -60}, {"leeward", -15, -10}};
 constexpr std::array<Colour, 3> MARK_COLOURS = {{{240, 120, 30}, {235, 200, 40}, {210, 60, 90}}};
 
-/// A share of the waves' height, and how far their way turns from the wind's.
-struct Swell {
-    real share, wavelength, turn, phase;
-};
-constexpr std::array<Swell, 3> SWELLS = {{{0.5, 17, 0.15, 0}, {0.3, 10, -0.4, 2}, {0.2, 6.5, 0.6, 4}}};
-
 constexpr Colour SAIL_FORCE{235, 90, 60}, RUDDER_FORCE{240, 200, 60}, LIFT{90, 170, 235};
 constexpr real NEWTONS_PER_METRE = 250;
-
-/// "12P"; an angle that shows as nought has no side.
-std::string sided(real angle) {
-    const std::string shown = fixed(std::fabs(angle) / DEGREE, 0);
-    return shown + (shown == "0" ? "" : angle < 0 ? "P" : "S");
-}
 
 Scene makeScene() {
     Scene scene;
     scene.surroundings.terrain = Terrain::SEA;
     scene.bodies = {{makeBoatParts(), true, false}};
     for (std::size_t n = 0; n < MARKS.size(); ++n)
-        scene.bodies.push_back({{makeMark(MARKS[n].name + " mark", MARK_COLOURS[n])}, false, false});
+        scene.bodies.push_back({{makeBuoy(MARKS[n].name + " mark", MARK_COLOURS[n])}, false, false});
     scene.newtonsPerMetre = NEWTONS_PER_METRE;
     scene.cameras.spectator = Vector3(-16, 4, 20);
     scene.cameras.spectatorFollows = true;
@@ -138,17 +128,10 @@ void Sailing::prepare(std::uint64_t seed, const std::vector<real> &settings) {
     log = Log();
 }
 
-/// From trough to crest, where all trains meet.
 void Sailing::setWaves(real height) {
+    scene.surroundings.waves = makeSea(height, REAL_PI);
     sea = cyclone::Waves();
-    scene.surroundings.waves.clear();
-    if (height == 0) return;
-    for (const Swell &swell : SWELLS) {
-        const cyclone::Waves::Train train{swell.share * height / 2, swell.wavelength, REAL_PI + swell.turn,
-                                          swell.phase};
-        scene.surroundings.waves.push_back(train);
-        sea.addTrain(train);
-    }
+    for (const cyclone::Waves::Train &train : scene.surroundings.waves) sea.addTrain(train);
 }
 
 void Sailing::launch() {
@@ -276,17 +259,14 @@ std::string Sailing::getHeadUpLine() const {
 }
 
 std::string Sailing::getSummary() const {
-    const auto count = [](unsigned long long n, const std::string &what) {
-        return std::to_string(n) + " " + what + (n == 1 ? "" : "s");
-    };
     const real time = getTime();
     const Skipper::Mark *mark = skipper.getNextMark();
     return "Sailed: " + fixed(log.distance, 0) + " m in " + fixed(time, 1) +
            " s\nSpeed: " + fixed(time > 0 ? log.distance / time : 0, 1) + " m/s on average, " +
            fixed(log.topSpeed, 1) + " m/s at best\nHeel: " + fixed(log.mostHeel / DEGREE, 0) +
-           "° at most\nManoeuvres: " + count(skipper.getTacks(), "tack") + ", " +
-           count(skipper.getGybes(), "gybe") + ", " + count(skipper.getRounded(), "mark") +
-           " rounded\nCapsizes: " + std::to_string(log.capsizes) + "\nCourse: " + count(log.laps, "lap") +
+           "° at most\nManoeuvres: " + counted(skipper.getTacks(), "tack") + ", " +
+           counted(skipper.getGybes(), "gybe") + ", " + counted(skipper.getRounded(), "mark") +
+           " rounded\nCapsizes: " + std::to_string(log.capsizes) + "\nCourse: " + counted(log.laps, "lap") +
            (log.laps > 0 ? ", the best in " + fixed(log.bestLap, 1) + " s" : "") +
            (mark ? "; the " + mark->name + " mark is next, " + fixed(getLapTime(), 1) + " s after the start"
                  : "");

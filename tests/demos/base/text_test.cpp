@@ -57,3 +57,15 @@ TEST(DemoText, ReadsWholeFiniteDecimalNumbersOnly) {
     for (const char *text : {"", " 1", "1 ", "1x", "0x10", "inf", "nan", "1e999", "."})
         EXPECT_FALSE(readNumber(text)) << text;
 }
+
+TEST(DemoText, AnglesHaveASideUnlessTheyShowAsNought) {
+    EXPECT_EQ(sided(-12.4 * DEGREE), "12P");
+    EXPECT_EQ(sided(100 * DEGREE), "100S");
+    EXPECT_EQ(sided(-0.4 * DEGREE), "0");
+}
+
+TEST(DemoText, CountsOneAndMany) {
+    EXPECT_EQ(counted(1, "tack"), "1 tack");
+    EXPECT_EQ(counted(0, "tack"), "0 tacks");
+    EXPECT_EQ(counted(12, "jump"), "12 jumps");
+}
