@@ -88,8 +88,27 @@ TEST(DemoInteractive, TheBoatSailsByTheClassicKeys) {
         {"rudder 0", "rudder -4", "rudder 0", "rudder 4", "sail -4", "sail 0", "sail 4", "sail 0"});
 }
 
+TEST(DemoInteractive, HelpTurnsItsPagesAndGoes) {
+    Pty terminal([] { return run<Flight>("--record"); });
+    terminal.resize(40, 12);
+    ASSERT_TRUE(terminal.waitFor(ENTER));
+    awaitFrame(terminal);
+    terminal.type("h");
+    ASSERT_TRUE(terminal.waitFor("W S "));
+    ASSERT_TRUE(terminal.waitFor("Any key for more"));
+    for (int n = 0; n < 10; ++n) {
+        terminal.type("k");  // nothing but a key
+        terminal.rest(100);
+    }
+    awaitFrame(terminal);  // it flies again
+    terminal.type("\x1b");
+    EXPECT_EQ(terminal.end(), 0);
+    std::remove(scriptPath.c_str());
+}
+
 TEST(DemoInteractive, NoTimePassesWhilePausedOrReading) {
     Pty terminal([] { return run<Flight>("--record"); });
+    terminal.resize(80, 24);
     ASSERT_TRUE(terminal.waitFor(ENTER));
     const auto start = std::chrono::steady_clock::now();
     terminal.type("p");
