@@ -44,9 +44,9 @@ void Flight::fillProfile() {
     profile.settings = {{"wind", "SPEED", "Mean wind, m/s", 1.5, 0, 5},
                         {"from", "DEGREES", "Where the wind comes from; the runway points to 0", 20, 0, 360},
                         {"gusts", "SPEED", "How much the wind changes (root mean square), m/s", 0.3, 0, 2}};
-    profile.controls = {{"pitch", -1, 1, 0, 'w', 's', 0.1, true},
-                        {"roll", -1, 1, 0, 'a', 'd', 0.1, true},
-                        {"rudder", -1, 1, 0, 'q', 'e', 0.1, true},
+    profile.controls = {{"pitch", -1, 1, 0, 'w', 's', 0.1, true, true},
+                        {"roll", -1, 1, 0, 'a', 'd', 0.1, true, true},
+                        {"rudder", -1, 1, 0, 'q', 'e', 0.1, true, true},
                         {"throttle", 0, 1, 0, '-', '+', 0.1, false}};
     profile.help = {"W S      both wings down, up: nose down, up",
                     "A D      wings in opposition: roll left, right",
@@ -149,8 +149,7 @@ void Flight::watchTheGround() {
 
 void Flight::crash(const std::string &how) {
     ++log.crashes;
-    tell(how);
-    startOver();
+    wreckBy(how);
 }
 
 real Flight::getHeight() const { return aircraft.getBody().getPosition().y - Aircraft::WHEEL_HEIGHT; }

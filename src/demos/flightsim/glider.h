@@ -56,7 +56,7 @@ public:
     static constexpr real FUSELAGE_DRAG_AREA = 0.04;          ///< m²
     static constexpr real BRAKE_DRAG_AREA = 0.9;              ///< m²
     static constexpr real DENSITY = 1.225;                    ///< kg/m³, of the air
-    static constexpr real BEST_GLIDE_SPEED = 24.5;             ///< m/s
+    static constexpr real BEST_GLIDE_SPEED = 24.5;            ///< m/s
     static constexpr real WHEEL_HEIGHT = 0.7;  ///< m: the centre of mass above the wheel's lowest point
     static constexpr real AILERON_THROW = 0.35, ELEVATOR_THROW = 0.35, RUDDER_THROW = 0.5;  ///< rad
 

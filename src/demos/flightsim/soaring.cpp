@@ -46,9 +46,9 @@ void Soaring::fillProfile() {
         {"from", "DEGREES", "Where the wind comes from; the runway points to 0", 20, 0, 360},
         {"gusts", "SPEED", "How much the air heaves (root mean square), m/s", 0.3, 0, 1.5},
         {"lift", "SPEED", "How fast the thermals rise; 0 is an evening without, m/s", 3.5, 0, 6}};
-    profile.controls = {{"pull", -1, 1, 0, 'w', 's', 0.1, true},
-                        {"roll", -1, 1, 0, 'a', 'd', 0.1, true},
-                        {"rudder", -1, 1, 0, 'q', 'e', 0.1, true},
+    profile.controls = {{"pull", -1, 1, 0, 'w', 's', 0.1, true, true},
+                        {"roll", -1, 1, 0, 'a', 'd', 0.1, true, true},
+                        {"rudder", -1, 1, 0, 'q', 'e', 0.1, true, true},
                         {"brakes", 0, 1, 0, '-', '+', 0.1, false}};
     profile.help = {"W S      stick forward, back: nose down, up",
                     "A D      stick left, right",
@@ -158,8 +158,7 @@ void Soaring::watchTheGround() {
 
 void Soaring::crash(const std::string &how) {
     ++log.crashes;
-    tell(how);
-    startOver();
+    wreckBy(how);
 }
 
 std::vector<Pose> Soaring::getPoses() const {

@@ -192,11 +192,11 @@ void Canvas::print(int column, int row, const std::string &text, Colour colour) 
     }
 }
 
-void Canvas::printBox(const std::vector<std::string> &lines, Colour colour) {
+void Canvas::printBox(const std::vector<std::string> &lines, Colour colour, std::optional<int> top) {
     std::size_t widest = 0;
     for (const std::string &line : lines) widest = std::max(widest, fromUtf8(line).size());
     const int column = std::max((columns() - static_cast<int>(widest) - 4) / 2, 0);
-    int row = std::max((rows() - static_cast<int>(lines.size()) - 2) / 2, 0);
+    int row = std::max(top.value_or((rows() - static_cast<int>(lines.size()) - 2) / 2), 0);
     const std::string blank(widest + 4, ' ');
     print(column, row++, blank, colour);
     for (const std::string &line : lines)

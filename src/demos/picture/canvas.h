@@ -61,8 +61,9 @@ public:
     /// last; a negative column from the right in the same way. What doesn't fit is cut off.
     void print(int column, int row, const std::string &text, Colour colour = {235, 240, 245});
 
-    /// Lines of text in a box in the middle of the picture.
-    void printBox(const std::vector<std::string> &lines, Colour colour = {235, 240, 245});
+    /// Lines of text in a box in the middle of the picture, or with its top at the given row.
+    void printBox(const std::vector<std::string> &lines, Colour colour = {235, 240, 245},
+                  std::optional<int> top = std::nullopt);
 
     /// The picture with its text, for Terminal::show. Valid until the next begin().
     const CellGrid &cells();

@@ -18,12 +18,23 @@ void Demonstration::begin(std::uint64_t seed) {
 void Demonstration::startOver() {
     controls.clear();
     for (const Control &control : profile.controls) controls.push_back(control.neutral);
+    wreck.clear();
     launch();
     markCut();
 }
 
+void Demonstration::wreckBy(const std::string &cause) {
+    wreck = cause;
+    wreckedAt = steps;
+    tell(cause);
+}
+
 void Demonstration::step() {
     isCut = false;
+    if (!wreck.empty()) {
+        ++steps;
+        return;
+    }
     beforeStep();
     world.startFrame();
     world.runPhysics(profile.step);
@@ -58,6 +69,15 @@ void Demonstration::centreControls() {
     for (std::size_t n = 0; n < controls.size(); ++n) {
         const Control &control = profile.controls[n];
         if (control.centres) controls[n] = control.neutral;
+    }
+}
+
+void Demonstration::releaseSticks(real share) {
+    for (std::size_t n = 0; n < controls.size(); ++n) {
+        const Control &control = profile.controls[n];
+        if (!control.springs) continue;
+        const real way = share * (control.high - control.low);
+        controls[n] += cyclone::real_clamp(control.neutral - controls[n], -way, way);
     }
 }
 

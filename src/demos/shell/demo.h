@@ -23,7 +23,8 @@ struct Control {
     real low = -1, high = 1, neutral = 0;      ///< it starts at neutral
     Key less = keys::NONE, more = keys::NONE;  ///< each stroke changes it by `stroke`
     real stroke = 0.1;
-    bool centres = true;  ///< whether the centring key puts it to neutral
+    bool centres = true;   ///< whether the centring key puts it to neutral
+    bool springs = false;  ///< a stick that would spring back to neutral if its hand let go
 };
 
 /// A number on the command line that shapes the run, as in `--wind 3`.
@@ -84,6 +85,12 @@ public:
     /// Puts the vehicle back to where it began, controls at neutral, while time and weather go on.
     void startOver();
 
+    /// What has ended the vehicle's run, such as "crashed: a wing hit the ground"; empty while it goes on. A
+    /// wreck stays where it is until startOver(), while time goes on.
+    const std::string &getWreck() const { return wreck; }
+    /// s since then.
+    real getTimeSinceWreck() const { return static_cast<real>(steps - wreckedAt) * profile.step; }
+
     /// The pilot: sets the controls for the next step. Whoever wants another pilot doesn't call it.
     virtual void steer() = 0;
 
@@ -119,6 +126,8 @@ public:
     real getControl(std::size_t index) const { return controls.at(index); }
     /// Those that centre to neutral: what the centring key does.
     void centreControls();
+    /// Those that spring: each goes this share of its range towards neutral, and no farther.
+    void releaseSticks(real share);
 
 protected:
     Demonstration() = default;
@@ -141,6 +150,8 @@ protected:
     /// @}
 
     void tell(const std::string &text) { events.push_back({getTime(), text}); }
+    /// Ends the vehicle's run, and tells why.
+    void wreckBy(const std::string &cause);
     /// The vehicle has been put somewhere by hand: nothing is drawn between there and where it was.
     void markCut() { isCut = true; }
 
@@ -149,7 +160,8 @@ protected:
     cyclone::World world;
 
 private:
-    std::uint64_t steps = 0;
+    std::uint64_t steps = 0, wreckedAt = 0;
+    std::string wreck;
     bool isCut = true;
     std::vector<real> controls;
     std::vector<Event> events;

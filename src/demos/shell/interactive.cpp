@@ -1,5 +1,7 @@
 #include "shell/run.h"
 
+#include "shell/hands.h"
+#include "shell/layout.h"
 #include "terminal/terminal.h"
 
 #include <cyclone/fixedstep.h>
@@ -13,7 +15,7 @@ namespace {
 
 constexpr double FRAME_TIME = 1.0 / 30;  // s
 constexpr real NEWS_TIME = 4;            // s
-constexpr Colour NEWS{255, 224, 130}, QUIET{190, 200, 208};
+constexpr Colour NEWS{255, 224, 130}, QUIET{190, 200, 208}, ALARM{255, 150, 130};
 
 /// '=' is '+' without Shift, and '_' is '-' with it.
 Key unshifted(Key key) { return key == '=' ? U'+' : key == '_' ? U'-' : key; }
@@ -26,6 +28,7 @@ public:
           profile(d.getProfile()),
           stage(d.getScene()),
           clock(profile.step),
+          hands(d),
           before(s.getFrame()) {
         if (s.getDriver() == Driver::PILOT) say("the pilot has control until you touch one");
     }
@@ -36,11 +39,18 @@ public:
     const CellGrid &draw(int columns, int rows, real elapsed);
 
 private:
-    void changeControl(Key key);
+    void takeControls();
     void say(const std::string &text);
     std::string getStatus() const;
     std::string getViewpoints() const;
     std::vector<std::string> getHelp() const;
+    bool hasPilot() const { return session.getDriver() == Driver::PILOT; }
+    /// Of text in a box.
+    std::size_t boxColumns() const { return static_cast<std::size_t>(std::max(canvas.columns() - 4, 1)); }
+    void printInstruments();
+    void printWreck();
+    void printNews();
+    void printHelp();
 
     Session &session;
     Demonstration &demonstration;
@@ -48,8 +58,10 @@ private:
     Stage stage;
     Canvas canvas;
     cyclone::FixedStep clock;
+    Hands hands;
     Frame before;  ///< the moment before the last step
-    bool paused = false, help = false;
+    bool paused = false;
+    std::size_t helpPage = 0, helpPages = 0;  ///< from 1; 0: no help. Of how many it was drawn.
     std::string news;
     real newsLeft = 0;  ///< s
 };
@@ -57,8 +69,8 @@ private:
 bool Show::handle(Key key) {
     key = unshifted(key);
     if (key == keys::ESCAPE) return false;
-    if (help) {
-        help = false;  // any key
+    if (helpPage > 0) {  // any key
+        helpPage = helpPage < helpPages ? helpPage + 1 : 0;
         return true;
     }
     switch (key) {
@@ -78,41 +90,35 @@ bool Show::handle(Key key) {
             paused = !paused;
             break;
         case 'h':
-            help = true;
+            helpPage = 1;
             break;
         case 't':
-            if (session.getDriver() == Driver::PILOT) {
-                session.takeControls();
-                say("you have control");
+            if (hasPilot()) {
+                takeControls();
             } else {
                 session.givePilotControls();
                 say("the pilot has control");
             }
             break;
+        case 'v':
+            hands.springBack = !hands.springBack;
+            say(hands.springBack ? "sticks spring back" : "sticks stay where they are put");
+            break;
         case 'r':
-            session.takeControls();
+            takeControls();
             session.restart();
             break;
         default:
-            changeControl(key);
+            if (!hands.knows(key)) break;
+            takeControls();
+            hands.stroke(key);
     }
     return true;
 }
 
-void Show::changeControl(Key key) {
-    if (key == profile.centre) {
-        session.takeControls();
-        demonstration.centreControls();
-        return;
-    }
-    for (std::size_t n = 0; n < profile.controls.size(); ++n) {
-        const Control &control = profile.controls[n];
-        if (key != control.less && key != control.more) continue;
-        if (session.getDriver() != Driver::HANDS) say("you have control; T gives it back");
-        session.takeControls();
-        demonstration.setControl(
-            n, demonstration.getControl(n) + (key == control.more ? control.stroke : -control.stroke));
-    }
+void Show::takeControls() {
+    if (session.getDriver() != Driver::HANDS) say("you have control; T gives it back");
+    session.takeControls();
 }
 
 void Show::say(const std::string &text) {
@@ -122,10 +128,11 @@ void Show::say(const std::string &text) {
 
 void Show::advance(real elapsed) {
     newsLeft -= elapsed;
-    if (paused || help) return clock.reset();
+    if (paused || helpPage > 0) return clock.reset();
     for (unsigned n = clock.advance(elapsed); n > 0; --n) {
-        if (session.isOver() && session.getDriver() == Driver::PILOT) session.restart();
-        if (session.isOver()) session.takeControls();  // the script has ended
+        if (session.isOver() && hasPilot()) session.restart();
+        if (session.isOver()) takeControls();  // the script has ended
+        if (session.getDriver() == Driver::HANDS) hands.advance(profile.step);
         before = session.getFrame();
         session.step();
         for (const Event &event : session.takeEvents()) say(event.text);
@@ -133,7 +140,7 @@ void Show::advance(real elapsed) {
 }
 
 std::string Show::getStatus() const {
-    const std::string driver = session.getDriver() == Driver::PILOT    ? "PILOT"
+    const std::string driver = hasPilot()                              ? "PILOT"
                                : session.getDriver() == Driver::SCRIPT ? "SCRIPT"
                                                                        : "YOU";
     return (paused ? "PAUSED  " : "") + driver + "  " + Stage::getName(stage.viewpoint) + " camera  H help";
@@ -155,21 +162,65 @@ std::vector<std::string> Show::getHelp() const {
                                               ". ,      closer, farther",
                                               "F        forces as arrows",
                                               "P        pause",
-                                              "Esc      leave",
-                                              "",
-                                              "Any key goes on."};
+                                              "Esc      leave"};
     lines.insert(lines.end(), general.begin(), general.end());
+    if (std::any_of(profile.controls.begin(), profile.controls.end(),
+                    [](const Control &control) { return control.springs; }))
+        lines.push_back("V        sticks spring back, or stay");
     return lines;
+}
+
+/// Of one screen, or of a quarter of a small one.
+void Show::printInstruments() {
+    const std::vector<std::string> lines =
+        broken(demonstration.getHeadUpLine(), static_cast<std::size_t>(canvas.columns()));
+    const int most = std::max(canvas.rows() / 4, 1);
+    for (int row = 0; row < std::min(static_cast<int>(lines.size()), most); ++row)
+        canvas.print(0, row, lines[static_cast<std::size_t>(row)]);
+}
+
+/// Below the middle, where the wreck lies.
+void Show::printWreck() {
+    const std::string &wreck = demonstration.getWreck();
+    if (wreck.empty()) return;
+    std::vector<std::string> lines = broken(wreck, boxColumns());
+    lines.push_back(hasPilot() ? "The pilot will try again." : "R to try again");
+    canvas.printBox(lines, ALARM, canvas.rows() - static_cast<int>(lines.size()) - 4);
+}
+
+/// On the last line if there is room beside the status, else above it.
+void Show::printNews() {
+    const std::string status = getStatus();
+    const int columns = canvas.columns(), length = static_cast<int>(status.size());
+    canvas.print(std::max(columns - length, 0), -1, status, QUIET);
+    if (newsLeft <= 0) return;
+    const std::vector<std::string> lines = broken(news, static_cast<std::size_t>(columns));
+    const bool fits = static_cast<int>(fromUtf8(news).size()) + 2 + length <= columns;
+    int row = fits ? -1 : -1 - static_cast<int>(lines.size());
+    for (const std::string &line : lines) canvas.print(0, row++, line, NEWS);
+}
+
+void Show::printHelp() {
+    if (helpPage == 0) return;
+    const auto rows = static_cast<std::size_t>(std::max(canvas.rows() - 4, 1));
+    const auto pages = paginated(getHelp(), boxColumns(), rows);
+    helpPages = pages.size();
+    helpPage = std::min(helpPage, helpPages);
+    std::vector<std::string> lines = pages[helpPage - 1];
+    lines.push_back("");
+    lines.push_back(helpPage < helpPages
+                        ? "Any key for more, " + std::to_string(helpPage) + " of " + std::to_string(helpPages)
+                        : "Any key goes on.");
+    canvas.printBox(lines);
 }
 
 const CellGrid &Show::draw(int columns, int rows, real elapsed) {
     const Frame frame = interpolated(before, session.getFrame(), clock.getFraction());
     stage.draw(canvas, columns, rows, frame, elapsed);
-    canvas.print(0, 0, demonstration.getHeadUpLine());
-    if (newsLeft > 0) canvas.print(0, -1, news, NEWS);
-    const std::string status = getStatus();
-    canvas.print(std::max(columns - static_cast<int>(status.size()), 0), -1, status, QUIET);
-    if (help) canvas.printBox(getHelp());
+    printInstruments();
+    printWreck();
+    printNews();
+    printHelp();
     return canvas.cells();
 }
 

@@ -12,6 +12,7 @@ namespace demo {
 namespace {
 
 constexpr real FRAMES_PER_SECOND = 30;
+constexpr real PILOTS_PAUSE = 4;  // s beside a wreck
 
 void writeCsvLine(std::ostream &out, real time, const std::vector<real> &values) {
     const auto written = [](real value) { return significant(value == 0 ? 0 : value, 10); };  // no sign on 0
@@ -74,7 +75,8 @@ void Session::keepFrames() {
 }
 
 void Session::step() {
-    if (driver == Driver::PILOT)
+    const bool isWrecked = !demonstration.getWreck().empty();
+    if (driver == Driver::PILOT && !isWrecked)
         demonstration.steer();
     else if (driver == Driver::SCRIPT)
         playScript();
@@ -82,6 +84,7 @@ void Session::step() {
     demonstration.step();
     ++steps;
     keep();
+    if (driver == Driver::PILOT && isWrecked && demonstration.getTimeSinceWreck() >= PILOTS_PAUSE) restart();
 }
 
 void Session::playScript() {
@@ -92,6 +95,11 @@ void Session::playScript() {
         else
             demonstration.setControl(change.control, change.value);
     }
+}
+
+void Session::takeControls() {
+    if (driver != Driver::HANDS) demonstration.releaseSticks(1);
+    driver = Driver::HANDS;
 }
 
 void Session::restart() {

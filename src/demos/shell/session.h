@@ -23,14 +23,15 @@ public:
     /// Keeps frames for a page, thirty a second.
     void keepFrames();
 
-    /// One step: inputs, physics, records.
+    /// One step: inputs, physics, records. A pilot who is wrecked tries again after a while.
     void step();
 
     /// Whether the pilot has done its work or the script has come to its end.
     bool isOver() const;
 
-    /// Takes the controls: the script's or pilot's part is over until they get them back.
-    void takeControls() { driver = Driver::HANDS; }
+    /// Takes the controls: the script's or pilot's part is over until they get them back. Sticks that spring
+    /// are at neutral then: whoever takes over has not felt how they were held.
+    void takeControls();
     void givePilotControls() { driver = Driver::PILOT; }
     Driver getDriver() const { return driver; }
 

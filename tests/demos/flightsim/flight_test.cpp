@@ -127,17 +127,25 @@ TEST(DemoFlight, AGentleTouchDownRollsOut) {
     EXPECT_GT(flight.getAircraft().getBody().getPosition().x, 20);
 }
 
-TEST(DemoFlight, AHardOneIsACrashThatStartsOver) {
+TEST(DemoFlight, AHardOneIsACrashAndTheWreckLiesThereUntilItStartsOver) {
     Flight flight;
     comeDown(flight, 4);
     flight.setControl(Flight::THROTTLE, 0.2);
-    bool cut = false;
-    for (int n = 0; n < 120 && !cut; ++n) {
-        flight.step();
-        cut = flight.getFrame().cut;
-    }
-    EXPECT_TRUE(cut);
-    EXPECT_TRUE(happened(flight.takeEvents(), "crashed"));
+    while (flight.getWreck().empty() && flight.getTime() < 1) flight.step();
+    EXPECT_EQ(flight.getWreck().rfind("crashed", 0), 0u);
+    EXPECT_TRUE(happened(flight.takeEvents(), flight.getWreck()));
+    const Vector3 place = flight.getAircraft().getBody().getPosition();
+    EXPECT_GT(place.x, 10);
+    const real time = flight.getTime();
+    for (int n = 0; n < 60; ++n) flight.step();
+    EXPECT_EQ(flight.getAircraft().getBody().getPosition(), place);
+    EXPECT_NEAR(flight.getTimeSinceWreck(), 0.5, 1e-12);
+    EXPECT_NEAR(flight.getTime(), time + 0.5, 1e-12);
+    EXPECT_TRUE(flight.takeEvents().empty()) << "it is told once";
+
+    flight.startOver();
+    EXPECT_TRUE(flight.getWreck().empty());
+    EXPECT_TRUE(flight.getFrame().cut);
     EXPECT_EQ(flight.getAircraft().getBody().getPosition(), Vector3(0, Aircraft::WHEEL_HEIGHT, 0));
     EXPECT_EQ(flight.getControl(Flight::THROTTLE), 0);
     flight.step();

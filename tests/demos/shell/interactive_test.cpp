@@ -89,8 +89,26 @@ TEST(DemoInteractive, TheBoatSailsByTheClassicKeys) {
          "boom 0"});
 }
 
+TEST(DemoInteractive, HelpTurnsItsPagesAndGoes) {
+    Pty terminal([] { return run<Flight>("--record"); });
+    terminal.resize(40, 12);
+    ASSERT_TRUE(terminal.waitFor(ENTER));
+    awaitFrame(terminal);
+    terminal.type("h");
+    ASSERT_TRUE(terminal.waitFor("W S"));
+    for (int n = 0; n < 10; ++n) {
+        terminal.type("k");  // nothing but a key
+        terminal.rest(100);
+    }
+    awaitFrame(terminal);  // it flies again
+    terminal.type("\x1b");
+    EXPECT_EQ(terminal.end(), 0);
+    std::remove(scriptPath.c_str());
+}
+
 TEST(DemoInteractive, NoTimePassesWhilePausedOrReading) {
     Pty terminal([] { return run<Flight>("--record"); });
+    terminal.resize(80, 24);
     ASSERT_TRUE(terminal.waitFor(ENTER));
     const auto start = std::chrono::steady_clock::now();
     terminal.type("p");

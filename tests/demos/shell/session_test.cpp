@@ -25,9 +25,9 @@ TEST(DemoSession, WhatWasRecordedPlaysBackToTheSameBits) {
     Session play(flown, 3, breeze);
     run(play, 700);  // the pilot takes off
     play.takeControls();
-    flown.setControl(Flight::PITCH, -0.7);  // and is flown into the ground, which starts over
+    flown.setControl(Flight::PITCH, -0.7);  // and is flown into the ground
     run(play, 400);
-    EXPECT_LT(flown.getAircraft().getBody().getPosition().x, 40);
+    EXPECT_FALSE(flown.getWreck().empty());
     flown.setControl(Flight::THROTTLE, 0.8);
     run(play, 100);
     play.restart();
@@ -42,6 +42,50 @@ TEST(DemoSession, WhatWasRecordedPlaysBackToTheSameBits) {
     EXPECT_EQ(steps, 1500);
     EXPECT_EQ(replayed.getHash(), flown.getHash());
     EXPECT_EQ(replay.getReport(), play.getReport());
+}
+
+TEST(DemoSession, APilotWhoIsWreckedTriesAgainAfterAWhile) {
+    Flight flown;
+    Session session(flown, 3, breeze);
+    run(session, 700);
+    flown.getAircraft().getBody().addVelocity(Vector3(0, -20, 0));
+    run(session, 120);
+    const Vector3 wreck = flown.getAircraft().getBody().getPosition();
+    ASSERT_FALSE(flown.getWreck().empty());
+    run(session, 240);
+    EXPECT_EQ(flown.getAircraft().getBody().getPosition(), wreck);
+    while (!flown.getWreck().empty() && flown.getTime() < 20) session.step();
+    EXPECT_TRUE(session.getFrame().cut) << "nothing is drawn between the wreck and the start";
+    EXPECT_EQ(flown.getAircraft().getBody().getPosition(), Vector3(0, Aircraft::WHEEL_HEIGHT, 0));
+    EXPECT_EQ(session.getDriver(), Driver::PILOT);
+    const std::string inputs = writeScript(session.getInputs(), flown.getProfile());
+    EXPECT_NE(inputs.find("restart"), std::string::npos) << inputs;
+}
+
+TEST(DemoSession, SticksAreCentredWhenOneTakesOverFromThePilotButTheThrottleStays) {
+    Flight flight;
+    Session session(flight, 3, {0, 0, 0});
+    run(session, 120);
+    ASSERT_NE(flight.getControl(Flight::PITCH), 0) << "he keeps the wheels on the runway";
+    ASSERT_EQ(flight.getControl(Flight::THROTTLE), 1);
+    session.takeControls();
+    EXPECT_EQ(flight.getControl(Flight::PITCH), 0);
+    EXPECT_EQ(flight.getControl(Flight::THROTTLE), 1);
+    flight.setControl(Flight::PITCH, 0.3);
+    session.takeControls();
+    EXPECT_EQ(flight.getControl(Flight::PITCH), 0.3) << "one has them already";
+}
+
+TEST(DemoSession, WhoeverTakesOverDuringTheTakeOffLeavesTheGroundUnbroken) {
+    for (const int steps : {60, 240, 360}) {
+        Flight flight;
+        Session session(flight, 3, {0, 0, 0});
+        run(session, steps);
+        session.takeControls();
+        run(session, 600);
+        EXPECT_TRUE(flight.getWreck().empty()) << flight.getWreck() << " after " << steps;
+        EXPECT_GT(flight.getAircraft().getBody().getPosition().y, 3) << steps;
+    }
 }
 
 TEST(DemoSession, AScriptSetsItsControlsAtItsTimes) {
