@@ -177,7 +177,7 @@ std::unique_ptr<Aircraft> Aircraft::make(const std::string &name, cyclone::World
                                          const cyclone::WindField *air) {
     if (name == "bullet")
         return std::make_unique<PlateAircraft>(
-            world, Model{name, 700, Vector3(2500, 4200, 2200), 6, 4200, 170, 80, 1.5, 0.8, 0, 0.028, 0.12},
+            world, Model{name, 700, Vector3(2500, 4200, 2200), 6, 4200, 170, 80, 1.9, 0.8, 0, 0.0355, 0.12},
             Plates{4000, 20, 500, 300}, air);
     if (name == "gnat")
         return std::make_unique<PlateAircraft>(

@@ -12,7 +12,7 @@ std::string nameOf(std::size_t hoop) { return "hoop " + std::to_string(hoop + 1)
 
 }  // namespace
 
-Marshal::Marshal(const std::vector<Hoop> &c, real metres) : course(c), clearance(metres) {}
+Marshal::Marshal(const std::vector<Hoop> &c, real metres) : course(&c), clearance(metres) {}
 
 void Marshal::startOver() {
     next = 0;
@@ -20,7 +20,7 @@ void Marshal::startOver() {
 }
 
 bool Marshal::isClean(const Crossing &crossing) const {
-    return crossing.way == Crossing::Way::FORWARDS && crossing.offset <= course[next].radius - clearance;
+    return crossing.way == Crossing::Way::FORWARDS && crossing.offset <= (*course)[next].radius - clearance;
 }
 
 std::optional<real> Marshal::watch(const Vector3 &from, const Vector3 &to, real time, real duration) {
@@ -28,8 +28,8 @@ std::optional<real> Marshal::watch(const Vector3 &from, const Vector3 &to, real 
     real share = 0;
     bool anyPassed = false;
     // Very fast, one flies through several in a step.
-    for (Crossing c = cross(course[next], from, to); isClean(c) && c.share >= share;
-         c = cross(course[next], from, to)) {
+    for (Crossing c = cross((*course)[next], from, to); isClean(c) && c.share >= share;
+         c = cross((*course)[next], from, to)) {
         share = c.share;
         anyPassed = true;
         if (const std::optional<real> finished = pass(time - duration + share * duration)) lap = finished;
@@ -41,7 +41,7 @@ std::optional<real> Marshal::watch(const Vector3 &from, const Vector3 &to, real 
 std::optional<real> Marshal::pass(real time) {
     ++passed;
     const bool isStartLine = next == 0;
-    next = (next + 1) % course.size();
+    next = (next + 1) % course->size();
     if (!isStartLine) return std::nullopt;
     const std::optional<real> lap = lapStart ? std::optional<real>(time - *lapStart) : std::nullopt;
     lapStart = time;
@@ -50,9 +50,9 @@ std::optional<real> Marshal::pass(real time) {
 
 /// What was flown through in the wrong way, or past.
 void Marshal::judge(const Vector3 &from, const Vector3 &to) {
-    for (std::size_t n = 0; n < course.size(); ++n) {
-        const Crossing crossing = cross(course[n], from, to);
-        const bool isInside = crossing.offset <= course[n].radius;
+    for (std::size_t n = 0; n < course->size(); ++n) {
+        const Crossing crossing = cross((*course)[n], from, to);
+        const bool isInside = crossing.offset <= (*course)[n].radius;
         if (crossing.way == Crossing::Way::NONE || crossing.offset > MISSES_WITHIN) continue;
         if (crossing.way == Crossing::Way::BACKWARDS) {
             if (isInside) reports.push_back("wrong way through " + nameOf(n));
@@ -60,7 +60,7 @@ void Marshal::judge(const Vector3 &from, const Vector3 &to) {
             if (isInside) reports.push_back(nameOf(n) + " does not count: fly " + nameOf(next) + " first");
         } else {
             ++missed;
-            const real beside = crossing.offset - course[n].radius;
+            const real beside = crossing.offset - (*course)[n].radius;
             reports.push_back((beside <= clearance
                                    ? "clipped " + nameOf(n)
                                    : "missed " + nameOf(n) + " by " + demo::fixed(beside, 0) + " m") +

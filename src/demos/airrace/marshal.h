@@ -38,7 +38,7 @@ private:
     std::optional<real> pass(real time);
     void judge(const Vector3 &from, const Vector3 &to);
 
-    const std::vector<Hoop> &course;
+    const std::vector<Hoop> *course;
     real clearance;
     std::size_t next = 0;
     std::optional<real> lapStart;

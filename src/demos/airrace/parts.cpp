@@ -145,13 +145,13 @@ std::vector<Part> paintStartLine(const Hoop &first) {
 }
 
 Part makeNextMarker(real radius) {
-    Part part{"next hoop", {}, false};
+    Part part{"next hoop", {}, true};
     addHoop(part, Pose(), radius - 0.1, NEXT_TUBE, NEXT);
     return part;
 }
 
 Part makeSecondMarker(real radius) {
-    Part part{"hoop after it", {}, false};
+    Part part{"hoop after it", {}, true};
     addHoop(part, Pose(), radius - 0.05, SECOND_TUBE, SECOND);
     return part;
 }

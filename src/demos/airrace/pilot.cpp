@@ -15,11 +15,12 @@ constexpr real G = 9.81;
 constexpr real BANK_GAIN = 3, CLIMB_GAIN = 1.5, PITCH_RATE_GAIN = 3;
 // The pilot's.
 constexpr real MARGIN = 0.8;                               // of what the wings bear, or of what stalls them
-constexpr real EASING = 2;                                 // of the throttle, where a turn is too tight
+constexpr real EASED_FROM = 0.8, EASING = 2;               // of the throttle, where a turn is too tight
 constexpr real SLOWEST = 0.85;                             // of the cruising speed
 constexpr real SHORTEST = 0.8;                             // s, that he looks ahead
 constexpr real STEEPEST_BANK = 1.4, STEEPEST_CLIMB = 0.4;  // rad
-constexpr real RUN_IN = 260, LEAST_HEIGHT = 25;            // m
+constexpr real RUN_IN = 5;                                 // s before a hoop: where he turns in
+constexpr real LEAST_HEIGHT = 25;                          // m
 
 /// m/s²: how much lift over mass he asks for.
 real mostLift(const Aircraft &aircraft) {
@@ -69,26 +70,28 @@ Sticks Stabiliser::hold(const Aircraft &aircraft, const Command &command, real d
 Command Pilot::fly(const Aircraft &aircraft, const Hoop &hoop) {
     const RigidBody &body = aircraft.getBody();
     Vector3 position = body.getPosition(), velocity = body.getVelocity();
-    const real speed = velocity.magnitude();
+    const Vector3 throughAir = aircraft.getVelocityThroughAir(), wind = velocity - throughAir;
+    const real airspeed = throughAir.magnitude(), speed = velocity.magnitude();
+    const real speedAtHoop = airspeed + wind * hoop.axis, runIn = RUN_IN * speedAtHoop;
     const real ahead = (hoop.centre - position) * hoop.axis;
     if (ahead < -20) goesRound = true;
-    if (ahead > RUN_IN / 2) goesRound = false;
-    const Vector3 starboard = Vector3(-velocity.z, 0, velocity.x).unit();
+    if (ahead > 0.6 * runIn) goesRound = false;
+
     // He thinks ahead of the aircraft, which needs a while to roll.
+    const Vector3 starboard = Vector3(-velocity.z, 0, velocity.x).unit();
     const real lag = 0.1 + 0.75 / aircraft.getModel().rollRate,
-               bank = real_clamp(demo::bankOf(body), -1.4, 1.4);
+               bank = real_clamp(demo::bankOf(body), -STEEPEST_BANK, STEEPEST_BANK);
     const Vector3 turning = starboard * (G * cyclone::real_sin(bank) / cyclone::real_cos(bank));
     position += velocity * lag + turning * (lag * lag / 2);
     velocity += turning * lag;
 
-    const Vector3 way = hoop.centre - hoop.axis * (goesRound ? RUN_IN : 0) - position;
-    const real time = real_clamp(1.05 * way.magnitude() / speed, SHORTEST, 60);
+    const Vector3 way = hoop.centre - hoop.axis * (goesRound ? runIn : 0) - position;
+    const real time = real_clamp(1.05 * way.magnitude() / ((speed + speedAtHoop) / 2), SHORTEST, 60);
     const Vector3 wanted =
         accelerationFor(way, velocity, hoop.axis * speed, real_clamp(time / 2.5 - 0.5, 0, 1), time);
 
-    const real climb = aircraft.getClimbAngle(), most = mostLift(aircraft);
     // The climb first; the lift that is left beside it may turn him.
-    const real vertical = speed * CLIMB_GAIN;
+    const real climb = aircraft.getClimbAngle(), most = mostLift(aircraft), vertical = speed * CLIMB_GAIN;
     real newClimb = real_clamp(climb + wanted.y / vertical, -STEEPEST_CLIMB, STEEPEST_CLIMB);
     if (body.getPosition().y < LEAST_HEIGHT) newClimb = STEEPEST_CLIMB;
     const real up = real_clamp(G + vertical * (newClimb - climb), 0.04 * most, 0.9 * most);
@@ -96,8 +99,8 @@ Command Pilot::fly(const Aircraft &aircraft, const Hoop &hoop) {
     Command command;
     command.climb = climb + (up - G) / vertical;
     command.bank = real_clamp(real_atan2(real_clamp(across, -left, left), up), -STEEPEST_BANK, STEEPEST_BANK);
-    if (speed > SLOWEST * aircraft.getModel().cruise)
-        command.throttle = real_clamp(1 - EASING * (cyclone::real_abs(across) / left - 1), 0, 1);
+    if (airspeed > SLOWEST * aircraft.getModel().cruise)
+        command.throttle = real_clamp(1 - EASING * (cyclone::real_abs(across) / left - EASED_FROM), 0, 1);
     return command;
 }
 

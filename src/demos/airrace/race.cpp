@@ -18,10 +18,10 @@ constexpr real NEWTONS_PER_METRE = 4000;
 constexpr Colour LIFT{255, 214, 64}, THRUST{255, 120, 90};
 const char *const FORCE_NAMES[] = {"port wing", "starboard wing", "tailplane", "fin", "thrust"};
 
-/// "12 left"; straight ahead has no side.
-std::string sided(real value, const char *positive, const char *negative) {
-    const std::string shown = fixed(cyclone::real_abs(value), 0);
-    return shown == "0" ? shown : shown + " " + (value > 0 ? positive : negative);
+/// "12R"; straight ahead has no side.
+std::string sided(real angle) {
+    const std::string shown = fixed(cyclone::real_abs(angle) / DEGREE, 0);
+    return shown + (shown == "0" ? "" : angle > 0 ? "R" : "L");
 }
 
 }  // namespace
@@ -43,9 +43,9 @@ void Race::fillProfile() {
     profile.variant = "aircraft " + aircraft->getModel().name;
     profile.summary = "Races through hoops: with the keyboard in a terminal, otherwise by itself.";
     profile.settings = {
-        {"wind", "SPEED", "Mean wind 10 m above the ground, m/s", 3, 0, 10},
+        {"wind", "SPEED", "Mean wind 10 m above the ground, m/s", 3, 0, 8},
         {"from", "DEGREES", "Where the wind comes from; the race starts towards 0", 40, 0, 360},
-        {"gusts", "SPEED", "How much the air heaves (root mean square), m/s", 0.5, 0, 1.5}};
+        {"gusts", "SPEED", "How much the air heaves (root mean square), m/s", 0.5, 0, 1}};
     profile.controls = {{"bank", -80, 80, 0, 'a', 'd', 10, true},
                         {"climb", -30, 30, 0, 'w', 's', 5, true},
                         {"throttle", 0, 1, 1, '-', '+', 0.1, false}};
@@ -54,10 +54,11 @@ void Race::fillProfile() {
                     "X        wings level, neither climb nor descent",
                     "+ -      throttle",
                     "",
-                    "Fly through the orange hoop, then the yellow one,",
-                    "where the arrow above you points. The clock starts",
-                    "at the first. The pale aircraft is your best lap.",
-                    "The swallow stalls in steep turns when it is slow."};
+                    "Fly through the orange hoop, then the yellow one;",
+                    "the arrow above you points to it, HOOP tells how far,",
+                    "how many degrees Left or Right and how much higher.",
+                    "The pale aircraft is the best lap. The swallow",
+                    "stalls in steep turns when it is slow."};
     const RigidBody &body = aircraft->getBody();
     const auto orderedBank = [this] { return getControl(BANK); };
     const auto orderedClimb = [this] { return getControl(CLIMB); };
@@ -124,6 +125,7 @@ void Race::prepare(std::uint64_t seed, const std::vector<real> &settings) {
     gradient = cyclone::WindGradient(Vector3(cyclone::real_cos(from), 0, cyclone::real_sin(from)) * -speed,
                                      WIND_HEIGHT);
     turbulence = cyclone::Turbulence(settings.at(GUSTS) / GUSTS_OF_WIND, seed);
+    marshal = Marshal(getCourse(), aircraft->getModel().span / 2);
     best = kept;
     laps.clear();
     crashes = 0;
@@ -250,8 +252,7 @@ std::string Race::describeNextHoop() const {
     const Vector3 way = getCourse()[next].centre - body.getPosition();
     const real bearing = wrapped(cyclone::real_atan2(way.z, way.x) - headingOf(body));
     return "HOOP " + std::to_string(next + 1) + "/" + std::to_string(getCourse().size()) + " " +
-           fixed(way.magnitude(), 0) + " m, " + sided(bearing / DEGREE, "right", "left") + ", " +
-           sided(way.y, "up", "down");
+           fixed(way.magnitude(), 0) + "m " + sided(bearing) + " " + signedFixed(way.y, 0);
 }
 
 std::string Race::getHeadUpLine() const {
@@ -259,9 +260,9 @@ std::string Race::getHeadUpLine() const {
     const std::optional<real> clock = getLapClock();
     const Lap *lap = getBestLap();
     return describeNextHoop() + "  LAP " + (clock ? fixed(*clock, 1) : "-") + "  BEST " +
-           (lap ? fixed(lap->time, 2) : "-") + (aircraft->isStalled() ? "  STALL" : "") + "  SPD " +
-           fixed(aircraft->getAirspeed(), 0) + "  ALT " + fixed(aircraft->getBody().getPosition().y, 0) +
-           "  BANK " + signedFixed(getControl(BANK), 0) + "  CLIMB " + signedFixed(getControl(CLIMB), 0) +
+           (lap ? fixed(lap->time, 2) : "-") + (aircraft->isStalled() ? "  STALL" : "") + "  BANK " +
+           signedFixed(getControl(BANK), 0) + "  CLIMB " + signedFixed(getControl(CLIMB), 0) + "  SPD " +
+           fixed(aircraft->getAirspeed(), 0) + " ALT " + fixed(aircraft->getBody().getPosition().y, 0) +
            "  THR " + fixed(100 * getControl(THROTTLE), 0) + "%";
 }
 
