@@ -53,6 +53,38 @@ void OutputFile::finish() {
     isFinished_ = true;
 }
 
+// ---- A file that is kept
+
+namespace {
+
+/// Where a link leads: it is the file that is replaced, not the link.
+std::string resolved(const std::string &path) {
+    std::error_code error;
+    const std::filesystem::path target = std::filesystem::weakly_canonical(path, error);
+    return error ? path : target.string();
+}
+
+std::string readIfThere(const std::string &path) {
+    std::error_code error;
+    if (!std::filesystem::exists(path, error)) return "";
+    if (!std::filesystem::is_regular_file(path, error))
+        throw std::runtime_error("cannot keep '" + path + "': it is not a file");
+    return readFile(path);
+}
+
+}  // namespace
+
+KeptFile::KeptFile(const std::string &path)
+    : path_(resolved(path)), text_(readIfThere(path_)), next_(path_ + ".new") {}
+
+void KeptFile::replace(const std::string &text) {
+    next_.stream() << text;
+    next_.finish();
+    std::error_code error;
+    std::filesystem::rename(path_ + ".new", path_, error);
+    if (error) fail("write", path_, error.value());
+}
+
 bool isSameFile(const std::string &a, const std::string &b) {
     namespace fs = std::filesystem;
     std::error_code error;

@@ -43,6 +43,23 @@ private:
     bool isFinished_ = false;
 };
 
+/// A text file that is read first, and may be replaced at the end. Until then the new text is on its way in
+/// another file beside it, so the old one is there whatever goes wrong.
+class KeptFile {
+public:
+    /// Reads it; a file that isn't there yet has no text. Throws std::runtime_error if it can't be read, or
+    /// if it can't be written later: then it is said before the run, too.
+    explicit KeptFile(const std::string &path);
+
+    const std::string &getText() const { return text_; }
+    /// Throws std::runtime_error, "cannot write 'path': reason", and the old file stays.
+    void replace(const std::string &text);
+
+private:
+    std::string path_, text_;
+    OutputFile next_;
+};
+
 /// Whether both names lead to one file, existing or to be made; devices are nobody's, so that two outputs may
 /// go to /dev/null.
 bool isSameFile(const std::string &a, const std::string &b);

@@ -11,6 +11,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -41,6 +42,15 @@ struct Quantity {
     int decimals = -1;          ///< in the table; negative: not in it
 };
 
+/// What a run hands on to later ones, in a file of the user's choice, as in `--best laps.txt`.
+struct Archive {
+    std::string name{}, help{};  ///< of the option; without a name there is none
+    /// Takes what earlier runs have written, nothing at first; throws std::runtime_error with what is wrong.
+    std::function<void(const std::string &text)> read{};
+    /// The text that is to take its place; nothing if nothing is new.
+    std::function<std::optional<std::string>()> write{};
+};
+
 /// The words of a command line's option, of which one says what runs, as in `--aircraft glider`.
 struct Choice {
     std::string name, help;
@@ -58,6 +68,7 @@ struct Profile {
     Key centre = 'x';               ///< puts the controls to neutral
     std::vector<std::string> help;  ///< lines about its own keys, for the help box
     std::vector<Quantity> quantities;
+    Archive archive{};
     real step = 1.0 / 120;  ///< s, of the simulation
     real duration = 60;     ///< s, the longest run without a terminal when nobody says
 };

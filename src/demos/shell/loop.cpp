@@ -29,7 +29,7 @@ struct RunOptions {
     unsigned long long seed = 1;
     std::vector<real> settings;
     std::optional<real> seconds;
-    std::string input, record, csv, html, still, camera;
+    std::string input, record, csv, html, still, archive, camera;
     real stillTime = 5, zoom = 1;
     std::vector<std::string> products;
 };
@@ -61,6 +61,8 @@ void declare(Options &options, RunOptions &given, const Demonstration &demonstra
     given.camera = std::count(cameras.begin(), cameras.end(), side) > 0 ? side : cameras.front();
     options.addChoice("camera", cameras, "From where to take it", given.camera);
     options.addNumber("zoom", "FACTOR", "How close to take it", given.zoom, 0.1, 10);
+    if (!profile.archive.name.empty())
+        options.addText(profile.archive.name, "FILE", profile.archive.help, given.archive);
     given.products.resize(products.size());
     for (std::size_t n = 0; n < products.size(); ++n)
         options.addText(products[n].name, "FILE", products[n].help, given.products[n]);
@@ -73,6 +75,14 @@ std::optional<Script> readInput(const RunOptions &given, const Profile &profile)
         return readScript(text, profile);
     } catch (const std::runtime_error &mistake) {
         throw std::runtime_error("'" + given.input + "', " + mistake.what());
+    }
+}
+
+void readArchive(const std::string &path, const KeptFile &file, const Archive &archive) {
+    try {
+        archive.read(file.getText());
+    } catch (const std::runtime_error &mistake) {
+        throw std::runtime_error("'" + path + "', " + mistake.what());
     }
 }
 
@@ -136,7 +146,9 @@ int run(Demonstration &demonstration, const Options &options, RunOptions given) 
     if (!given.html.empty() && seconds > LONGEST_PAGE)
         throw std::runtime_error("--html: a page holds " + std::to_string(std::lround(LONGEST_PAGE)) +
                                  " s at most");
-    requireDifferent({given.input, given.csv, given.html, given.record, given.still});
+    requireDifferent({given.input, given.csv, given.html, given.record, given.still, given.archive});
+    std::optional<KeptFile> archive;
+    if (!given.archive.empty()) readArchive(given.archive, archive.emplace(given.archive), profile.archive);
     const bool pipesCsv = given.csv == STANDARD;
     std::optional<OutputFile> csv = open(pipesCsv ? "" : given.csv), html = open(given.html),
                               record = open(given.record), picture = open(given.still);
@@ -159,6 +171,8 @@ int run(Demonstration &demonstration, const Options &options, RunOptions given) 
     if (html) session.writePageTo(html->stream());
     if (record) record->stream() << writeScript(session.getInputs(), profile);
     for (std::optional<OutputFile> *file : {&csv, &html, &record, &picture}) finish(*file);
+    if (archive)
+        if (const std::optional<std::string> text = profile.archive.write()) archive->replace(*text);
     return status;
 }
 
