@@ -23,14 +23,18 @@ cat >"$work/watch.html" <<'SCRIPT'
     const say = console.error;
     console.error = (...words) => { fault(words.join(' ')); say(...words); };
 
-    // Where there is a wind, its name must once stand in the picture, below the buttons.
+    // Where there is a wind, its name must once stand in the picture, below the buttons. (A flat view is so wide that
+    // its arrow may be too short for a name.)
     let windSeen = false, plotsFirst = null;
     const lookForWind = () => {
         const name = [...document.querySelectorAll('#labels span')].find(span => !span.hidden && span.textContent.startsWith('wind'));
         const lowest = Math.max(...[...document.querySelectorAll('#stage .pill')].map(pill => pill.getBoundingClientRect().bottom));
         windSeen = windSeen || (name !== undefined && name.getBoundingClientRect().top >= lowest);
     };
-    const blows = () => JSON.parse(document.getElementById('recording').textContent).windspeed.some(axis => axis !== 0);
+    const blows = () => {
+        const recording = JSON.parse(document.getElementById('recording').textContent);
+        return !recording.flat && recording.windspeed.some(axis => axis !== 0);
+    };
 
     // A canvas can be read in the same frame in which it was painted.
     const look = canvas => {

@@ -35,9 +35,7 @@ Pose readPose(const std::vector<std::string> &words) {
     for (std::size_t i = 0; i < POSE_WORDS; ++i) n[i] = readNumber(words[i + 1]);
     const real square = n[3] * n[3] + n[4] * n[4] + n[5] * n[5] + n[6] * n[6];
     if (!(square > 0.99 && square < 1.01)) fail("the last four numbers are not an orientation");
-    Quaternion orientation(n[3], n[4], n[5], n[6]);
-    orientation.normalise();
-    return {Vector3(n[0], n[1], n[2]), orientation};
+    return {Vector3(n[0], n[1], n[2]), Quaternion(n[3], n[4], n[5], n[6])};
 }
 
 void requireComplete(const std::string &aircraft, const Lap &lap) {
