@@ -1,5 +1,7 @@
 #include "flightsim/aircraft.h"
 
+#include "flightsim/landing.h"
+
 namespace flightsim {
 
 using cyclone::Matrix3;
@@ -25,10 +27,13 @@ Vector3 mirrored(const Vector3 &v) { return Vector3(v.x, v.y, -v.z); }
 
 const Vector3 NOSE_WHEEL(0.35, -Aircraft::WHEEL_HEIGHT, 0), MAIN_WHEEL(-0.12, -Aircraft::WHEEL_HEIGHT, 0.3);
 
-/// What must not touch the ground: propeller tips, wing tips, tail, belly.
-const std::array<Vector3, 7> HULL = {
-    Vector3(0.47, -0.09, 0), Vector3(0.2, 0.35, 0.75), Vector3(0.2, 0.35, -0.75), Vector3(-0.9, 0.05, 0),
-    Vector3(-0.85, 0.45, 0), Vector3(0.3, -0.12, 0),   Vector3(0, 0.4, 0)};
+const std::vector<HullPoint> HULL = {{"the propeller", Vector3(0.47, -0.09, 0)},
+                                     {"a wing tip", Vector3(0.2, 0.35, 0.75)},
+                                     {"a wing tip", Vector3(0.2, 0.35, -0.75)},
+                                     {"the tail", Vector3(-0.9, 0.05, 0)},
+                                     {"the fin", Vector3(-0.85, 0.45, 0)},
+                                     {"the nose", Vector3(0.3, -0.12, 0)},
+                                     {"the back", Vector3(0, 0.4, 0)}};
 
 }  // namespace
 
@@ -99,10 +104,6 @@ bool Aircraft::isOnGround() const {
     return false;
 }
 
-bool Aircraft::isBroken() const {
-    for (const Vector3 &point : HULL)
-        if (body.getPointInWorldSpace(point).y < 0) return true;
-    return false;
-}
+std::string Aircraft::getBrokenPart() const { return findBrokenPart(body, HULL); }
 
 }  // namespace flightsim

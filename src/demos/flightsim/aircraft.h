@@ -7,6 +7,7 @@
 #include <cyclone/cyclone.h>
 
 #include <array>
+#include <string>
 
 namespace flightsim {
 
@@ -87,8 +88,8 @@ public:
     /// Nose, port, starboard.
     const std::array<Wheel, 3> &getWheels() const { return wheels; }
     bool isOnGround() const;
-    /// Whether some part that isn't a wheel is in the ground.
-    bool isBroken() const;
+    /// What is in the ground though it isn't a wheel, such as "a wing tip"; empty while all is well.
+    std::string getBrokenPart() const;
 
     static const Vector3 WING_POSITION;  ///< of the starboard wing
     static const Vector3 TAIL_POSITION, RUDDER_POSITION, PROPELLER_POSITION;

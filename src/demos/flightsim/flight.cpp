@@ -31,6 +31,8 @@ Scene makeScene() {
 
 }  // namespace
 
+const Landing Flight::WORST_LANDING{1.2, 35, 4, 12 * DEGREE, 15 * DEGREE};
+
 Flight::Flight() : aircraft(world, wind.getAddress()) {
     fillProfile();
     scene = makeScene();
@@ -131,9 +133,11 @@ void Flight::afterStep() {
 }
 
 void Flight::watchTheGround() {
+    const RigidBody &body = aircraft.getBody();
     const real sinkRate = -lastVelocity.y;
     const bool touches = aircraft.isOnGround();
-    if (aircraft.getBody().hasFaulted() || aircraft.isBroken()) return crash("crashed");
+    const std::string broken = aircraft.getBrokenPart();
+    if (body.hasFaulted() || !broken.empty()) return crash(describeCrash(broken, body, lastVelocity));
     if (touches && sinkRate > HARDEST_TOUCH_DOWN)
         return crash("crashed: touched down at " + fixed(sinkRate, 1) + " m/s");
     if (!airborne && !touches && aircraft.getBody().getPosition().y > Aircraft::WHEEL_HEIGHT + 0.5) {
@@ -141,9 +145,9 @@ void Flight::watchTheGround() {
         tell("took off");
     } else if (airborne && touches) {
         airborne = false;
-        log.softest = log.landings == 0 ? sinkRate : std::min(log.softest, sinkRate);
-        ++log.landings;
-        tell("touched down at " + fixed(sinkRate, 1) + " m/s");
+        const Landing landing = measureLanding(body, lastVelocity, RUNWAY);
+        log.landings.add(landing);
+        tell("touched down at " + describe(landing, WORST_LANDING));
     }
 }
 
@@ -186,8 +190,7 @@ std::string Flight::getHeadUpLine() const {
 
 std::string Flight::getSummary() const {
     return "Flown: " + fixed(log.distance, 0) + " m in " + fixed(getTime(), 1) + " s, up to " +
-           fixed(log.highest, 1) + " m high\nLandings: " + std::to_string(log.landings) +
-           (log.landings > 0 ? ", the softest at " + fixed(log.softest, 2) + " m/s" : "") +
+           fixed(log.highest, 1) + " m high\n" + log.landings.getSummary() +
            "\nCrashes: " + std::to_string(log.crashes);
 }
 

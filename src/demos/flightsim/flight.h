@@ -2,6 +2,7 @@
 
 /// The demonstration that flies: the aircraft, an airfield, wind and a pilot.
 #include "base/random.h"
+#include "flightsim/landing.h"
 #include "flightsim/pilot.h"
 #include "shell/demo.h"
 
@@ -12,6 +13,8 @@ public:
     enum { PITCH, ROLL, RUDDER, THROTTLE };        ///< the controls
     enum { WIND_SPEED, WIND_DIRECTION, GUSTS };    ///< the settings
     static constexpr real HARDEST_TOUCH_DOWN = 2;  ///< m/s downwards: what is harder is a crash
+    static constexpr Runway RUNWAY{12, 88};        ///< m: what one aims at
+    static const Landing WORST_LANDING;            ///< that is still fair
 
     Flight();
 
@@ -20,6 +23,9 @@ public:
         return pilot.getLeg() == Pilot::Leg::STOPPED || pilot.getLeg() == Pilot::Leg::STAY_DOWN;
     }
     std::string getHeadUpLine() const override;
+    std::optional<Attitude> getAttitude() const override {
+        return Attitude{aircraft.getPitch(), aircraft.getRoll()};
+    }
     std::string getSummary() const override;
 
     const Aircraft &getAircraft() const { return aircraft; }
@@ -38,8 +44,9 @@ protected:
 private:
     /// For the summary.
     struct Log {
-        unsigned landings = 0, crashes = 0;
-        real highest = 0, distance = 0, softest = 0;
+        LandingLog landings{WORST_LANDING};
+        unsigned crashes = 0;
+        real highest = 0, distance = 0;
     };
 
     void fillProfile();

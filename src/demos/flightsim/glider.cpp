@@ -1,5 +1,7 @@
 #include "flightsim/glider.h"
 
+#include "flightsim/landing.h"
+
 namespace flightsim {
 
 using cyclone::Quaternion;
@@ -49,9 +51,11 @@ Wheel::Strut makeStrut(real springConstant, real rollingFriction) {
     return strut;
 }
 
-/// What must not touch the ground: nose, canopy, wings at half span, top of the fin.
-const std::array<Vector3, 5> HULL = {Vector3(2.2, -0.25, 0), Vector3(1, 0.55, 0), Vector3(0, 0.5, 4),
-                                     Vector3(0, 0.5, -4), Vector3(-4.7, 1.25, 0)};
+const std::vector<HullPoint> HULL = {{"the nose", Vector3(2.2, -0.25, 0)},
+                                     {"the canopy", Vector3(1, 0.55, 0)},
+                                     {"a wing", Vector3(0, 0.5, 4)},
+                                     {"a wing", Vector3(0, 0.5, -4)},
+                                     {"the fin", Vector3(-4.7, 1.25, 0)}};
 
 }  // namespace
 
@@ -157,10 +161,6 @@ bool Glider::isOnGround() const {
     return false;
 }
 
-bool Glider::isBroken() const {
-    for (const Vector3 &point : HULL)
-        if (body.getPointInWorldSpace(point).y < 0) return true;
-    return false;
-}
+std::string Glider::getBrokenPart() const { return findBrokenPart(body, HULL); }
 
 }  // namespace flightsim

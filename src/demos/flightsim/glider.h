@@ -7,6 +7,7 @@
 #include <cyclone/cyclone.h>
 
 #include <array>
+#include <string>
 
 namespace flightsim {
 
@@ -88,8 +89,8 @@ public:
     const AirBrakes &getBrakes() const { return brakes; }
     bool isStalled() const;
     bool isOnGround() const;
-    /// Whether some part that is not a wheel or a skid is in the ground.
-    bool isBroken() const;
+    /// What is in the ground though it is no wheel or skid, such as "the nose"; empty while all is well.
+    std::string getBrokenPart() const;
 
 private:
     void addPieces(const cyclone::WindField *air);

@@ -31,6 +31,8 @@ Scene makeScene() {
 
 }  // namespace
 
+const Landing Soaring::WORST_LANDING{2, 150, 15, 10 * DEGREE, 12 * DEGREE};
+
 Soaring::Soaring() : glider(world, &weather) {
     fillProfile();
     scene = makeScene();
@@ -141,16 +143,18 @@ void Soaring::readVario() {
 }
 
 void Soaring::watchTheGround() {
+    const RigidBody &body = glider.getBody();
     const real sinkRate = -lastVelocity.y;
     const bool touches = glider.isOnGround();
-    if (glider.getBody().hasFaulted() || glider.isBroken()) return crash("crashed");
+    const std::string broken = glider.getBrokenPart();
+    if (body.hasFaulted() || !broken.empty()) return crash(describeCrash(broken, body, lastVelocity));
     if (airborne && touches) {
         if (sinkRate > HARDEST_TOUCH_DOWN)
             return crash("crashed: touched down at " + fixed(sinkRate, 1) + " m/s");
         airborne = false;
-        log.softest = log.landings == 0 ? sinkRate : std::min(log.softest, sinkRate);
-        ++log.landings;
-        tell("touched down at " + fixed(sinkRate, 1) + " m/s");
+        const Landing landing = measureLanding(body, lastVelocity, RUNWAY);
+        log.landings.add(landing);
+        tell("touched down at " + describe(landing, WORST_LANDING));
     } else if (!airborne && getHeight() > 3) {
         airborne = true;
     }
@@ -190,9 +194,7 @@ std::string Soaring::getHeadUpLine() const {
 std::string Soaring::getSummary() const {
     return "Flown: " + fixed(log.distance / 1000, 1) + " km in " + fixed(getTime(), 0) + " s, up to " +
            fixed(log.highest, 0) + " m high; released at " + fixed(RELEASE_HEIGHT, 0) + " m, " +
-           fixed(pilot.getHeightGained(), 0) +
-           " m gained in thermals\nLandings: " + std::to_string(log.landings) +
-           (log.landings > 0 ? ", the softest at " + fixed(log.softest, 2) + " m/s" : "") +
+           fixed(pilot.getHeightGained(), 0) + " m gained in thermals\n" + log.landings.getSummary() +
            "\nCrashes: " + std::to_string(log.crashes);
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 /// The demonstration that soars: the glider, an airfield, thermals under their clouds, and a pilot.
+#include "flightsim/landing.h"
 #include "flightsim/soarer.h"
 #include "flightsim/weather.h"
 #include "shell/demo.h"
@@ -12,6 +13,8 @@ public:
     enum { PULL, ROLL, RUDDER, BRAKES };               ///< the controls
     enum { WIND_SPEED, WIND_DIRECTION, GUSTS, LIFT };  ///< the settings
     static constexpr real HARDEST_TOUCH_DOWN = 3;      ///< m/s downwards: what is harder is a crash
+    static constexpr Runway RUNWAY{60, -60};           ///< m: what one aims at
+    static const Landing WORST_LANDING;                ///< that is still fair
     static constexpr real RELEASE_HEIGHT = 350;        ///< m: where the tow ends and a run begins
 
     Soaring();
@@ -19,6 +22,9 @@ public:
     void steer() override;
     bool isOver() const override { return pilot.getLeg() == Soarer::Leg::STOPPED; }
     std::string getHeadUpLine() const override;
+    std::optional<Attitude> getAttitude() const override {
+        return Attitude{pitchOf(glider.getBody()), bankOf(glider.getBody())};
+    }
     std::string getSummary() const override;
 
     const Glider &getGlider() const { return glider; }
@@ -39,8 +45,9 @@ protected:
 private:
     /// For the summary.
     struct Log {
-        unsigned landings = 0, crashes = 0;
-        real highest = 0, distance = 0, softest = 0;
+        LandingLog landings{WORST_LANDING};
+        unsigned crashes = 0;
+        real highest = 0, distance = 0;
     };
 
     void fillProfile();

@@ -183,13 +183,26 @@ void Canvas::draw(const Arrow &arrow) {
 void Canvas::print(int column, int row, const std::string &text, Colour colour) {
     if (row < 0) row += rows();
     if (column < 0) column += columns();
-    if (row < 0 || row >= rows()) return;
-    for (const char32_t character : fromUtf8(text)) {
-        if (column >= 0 && column < columns())
-            text_[static_cast<std::size_t>(row) * static_cast<std::size_t>(columns()) +
-                  static_cast<std::size_t>(column)] = Glyph{character, colour};
-        ++column;
-    }
+    for (const char32_t character : fromUtf8(text))
+        if (auto *glyph = findGlyph(column++, row)) *glyph = Glyph{character, colour};
+}
+
+void Canvas::paste(int column, int row, const Image &picture) {
+    const auto pixel = [&](int x, int y) {
+        return picture.pixels[static_cast<std::size_t>(y) * static_cast<std::size_t>(picture.width) +
+                              static_cast<std::size_t>(x)];
+    };
+    for (int y = 0; y + 1 < picture.height; y += 2)
+        for (int x = 0; x < picture.width; ++x)
+            if (auto *glyph = findGlyph(column + x, row + y / 2))
+                *glyph = Glyph{HALF_BLOCK, pixel(x, y), pixel(x, y + 1)};
+}
+
+/// Null outside the picture.
+std::optional<Canvas::Glyph> *Canvas::findGlyph(int column, int row) {
+    if (column < 0 || column >= columns() || row < 0 || row >= rows()) return nullptr;
+    return &text_[static_cast<std::size_t>(row) * static_cast<std::size_t>(columns()) +
+                  static_cast<std::size_t>(column)];
 }
 
 void Canvas::printBox(const std::vector<std::string> &lines, Colour colour, std::optional<int> top) {
@@ -213,7 +226,8 @@ const CellGrid &Canvas::cells() {
             Cell &cell = cells_.at(column, row);
             const auto &glyph = text_[static_cast<std::size_t>(&cell - cells_.cells.data())];
             if (glyph)
-                cell = {glyph->character, glyph->colour, mix(mix(upper, lower, 0.5), {0, 0, 0}, DARKENING)};
+                cell = {glyph->character, glyph->colour,
+                        glyph->background.value_or(mix(mix(upper, lower, 0.5), {0, 0, 0}, DARKENING))};
             else
                 cell = {upper == lower ? U' ' : HALF_BLOCK, upper, lower};
         }

@@ -65,6 +65,10 @@ public:
     void printBox(const std::vector<std::string> &lines, Colour colour = {235, 240, 245},
                   std::optional<int> top = std::nullopt);
 
+    /// A picture upon the picture, its top left corner at the cell. Its last row is left out if it has an odd
+    /// number of them; what lies outside isn't shown.
+    void paste(int column, int row, const Image &picture);
+
     /// The picture with its text, for Terminal::show. Valid until the next begin().
     const CellGrid &cells();
 
@@ -75,7 +79,10 @@ private:
     struct Glyph {
         char32_t character;
         Colour colour;
+        std::optional<Colour> background{};  ///< else the picture, darkened
     };
+
+    std::optional<Glyph> *findGlyph(int column, int row);
 
     static std::vector<Vector3> toWorld(const Face &face, const Pose &pose);
     std::vector<Vector3> toView(std::vector<Vector3> corners) const;

@@ -3,6 +3,7 @@
 /// What flies or sails, as the shell sees it. The shell runs any Demonstration: in a terminal, from a script
 /// or under its own pilot, and makes table, CSV file, page, still and head-up display from what it finds
 /// here.
+#include "picture/horizon.h"
 #include "picture/scene.h"
 #include "terminal/keys.h"
 
@@ -120,8 +121,12 @@ public:
     /// The quantities' values now.
     std::vector<real> getValues() const;
 
-    /// One line for the head-up display, the most important first; it is cut off where the screen ends.
+    /// One line for the head-up display, the most important first, two blanks between one thing and the next:
+    /// a narrow screen breaks it there, and a low one leaves out the end.
     virtual std::string getHeadUpLine() const = 0;
+
+    /// For the artificial horizon; nothing: none is drawn.
+    virtual std::optional<Attitude> getAttitude() const { return std::nullopt; }
 
     /// What has happened in words since the run began, a line or more. Without the hash.
     virtual std::string getSummary() const = 0;

@@ -1,5 +1,6 @@
 #include "shell/run.h"
 
+#include "base/text.h"
 #include "shell/hands.h"
 #include "shell/layout.h"
 #include "terminal/terminal.h"
@@ -8,6 +9,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 
 namespace demo {
 
@@ -48,6 +50,7 @@ private:
     /// Of text in a box.
     std::size_t boxColumns() const { return static_cast<std::size_t>(std::max(canvas.columns() - 4, 1)); }
     void printInstruments();
+    void drawHorizon();
     void printWreck();
     void printNews();
     void printHelp();
@@ -179,6 +182,20 @@ void Show::printInstruments() {
         canvas.print(0, row, lines[static_cast<std::size_t>(row)]);
 }
 
+/// At the right edge, above the last line, with the numbers below it.
+void Show::drawHorizon() {
+    const std::optional<Attitude> attitude = demonstration.getAttitude();
+    if (!attitude) return;
+    const int rows = std::clamp(canvas.rows() / 5, 3, 9), columns = 3 * rows;
+    const int left = canvas.columns() - columns, top = canvas.rows() - rows - 2;
+    canvas.paste(left, top, paintHorizon(columns, 2 * rows, *attitude));
+    const auto degrees = [](real angle) { return 180 / cyclone::REAL_PI * angle; };
+    const std::string bank = fixed(std::fabs(degrees(attitude->bank)), 0);
+    const std::string side = bank == "0" ? "" : attitude->bank < 0 ? " left" : " right";
+    const std::string numbers = signedFixed(degrees(attitude->pitch), 0) + "° " + bank + "°" + side;
+    canvas.print(left, top + rows, numbers);
+}
+
 /// Below the middle, where the wreck lies.
 void Show::printWreck() {
     const std::string &wreck = demonstration.getWreck();
@@ -218,6 +235,7 @@ const CellGrid &Show::draw(int columns, int rows, real elapsed) {
     const Frame frame = interpolated(before, session.getFrame(), clock.getFraction());
     stage.draw(canvas, columns, rows, frame, elapsed);
     printInstruments();
+    drawHorizon();
     printWreck();
     printNews();
     printHelp();

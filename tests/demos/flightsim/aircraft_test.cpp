@@ -309,7 +309,7 @@ TEST(DemoAircraft, RestsOnItsWheels) {
     for (const Wheel &wheel : aircraft.getWheels()) load += wheel.getForce(aircraft.getBody()).y;
     EXPECT_NEAR(load, M * G, 1e-6);
     EXPECT_TRUE(aircraft.isOnGround());
-    EXPECT_FALSE(aircraft.isBroken());
+    EXPECT_EQ(aircraft.getBrokenPart(), "");
     EXPECT_NEAR(aircraft.getBody().getVelocity().magnitude(), 0, 1e-6);
     EXPECT_NEAR(aircraft.getBody().getPosition().z, 2, 1e-6);
     EXPECT_NEAR(aircraft.getPitch(), 0, 3 * DEGREE);
