@@ -148,9 +148,9 @@ CYCLONE_INLINE void updateRotation(FreeRotation &b, int lanes) {
         const real w0 = b.inverseInertia[0][n] * (xx * x + yx * y + zx * z);
         const real w1 = b.inverseInertia[1][n] * (xy * x + yy * y + zy * z);
         const real w2 = b.inverseInertia[2][n] * (xz * x + yz * y + zz * z);
-        b.matrix[0][n] = xx, b.matrix[1][n] = xy, b.matrix[2][n] = xz;
-        b.matrix[3][n] = yx, b.matrix[4][n] = yy, b.matrix[5][n] = yz;
-        b.matrix[6][n] = zx, b.matrix[7][n] = zy, b.matrix[8][n] = zz;
+        b.matrix[0][0][n] = xx, b.matrix[0][1][n] = xy, b.matrix[0][2][n] = xz;
+        b.matrix[1][0][n] = yx, b.matrix[1][1][n] = yy, b.matrix[1][2][n] = yz;
+        b.matrix[2][0][n] = zx, b.matrix[2][1][n] = zy, b.matrix[2][2][n] = zz;
         b.rotation[0][n] = xx * w0 + xy * w1 + xz * w2;
         b.rotation[1][n] = yx * w0 + yy * w1 + yz * w2;
         b.rotation[2][n] = zx * w0 + zy * w1 + zz * w2;

@@ -266,8 +266,9 @@ private:
     struct PrincipalFrame {
         std::uint8_t intermediateAxis : 2;  ///< that of the middle moment; of equal ones, 1
         bool isTurned : 1;                  ///< the principal axes are not the body's
+        bool hasLockedAxis : 1;             ///< a moment is infinite
 
-        PrincipalFrame() : intermediateAxis(1), isTurned(false) {}
+        PrincipalFrame() : intermediateAxis(1), isTurned(false), hasLockedAxis(false) {}
     };
 
     /// What is true of this object only, and not of a copy of it.
@@ -299,7 +300,12 @@ private:
         const real larger = i.x > i.y ? i.x : i.y;
         return larger > i.z ? larger : i.z;
     }
-    void clearForces();
+    void clearForces() {
+        generated = Wrench();
+        resistance = 0;
+        if (hasAdded) added = Wrench();
+        hasAdded = hasGenerated = false;
+    }
     /// Makes the coming step's kick implicit where it resists too strongly for an explicit one.
     void resist(const Resistance &sum, real duration);
     /// Whether that may be so.
@@ -313,13 +319,9 @@ private:
     void setPrincipalInertia(const Matrix3 &tensor, bool isInverse, const char *function);
     void setPrincipalFrame(const Vector3 &inverseMoments, const Quaternion &axes);
     Vector3 angularMomentumFor(const Vector3 &turning, const Quaternion &bodyToWorld) const;
-    bool hasLockedAxis() const {
-        return inverseInertia.x == 0 || inverseInertia.y == 0 || inverseInertia.z == 0;
-    }
-    bool isFreeRotor() const { return inverseMass > 0 && !hasLockedAxis(); }
     Matrix3 getPrincipalAxesInWorld() const;
 
-    void fallAsleepIfIdle(bool isTorqueFree, real duration);
+    void fallAsleepIfIdle(real duration);
     void markFaulted();
 
     // What generators read and write comes first, then what only the step does, then what it rarely needs:
