@@ -183,7 +183,7 @@ void StepBlock::rotateLocked(const Entry &entry, const AngularImpulse &impulse) 
 
 // ---- The step
 
-void StepBlock::add(RigidBody &body) {
+CYCLONE_INLINE void StepBlock::add(RigidBody &body) {
     if (body.lockedMotion != 0) body.dropLockedForces();
     Entry &entry = entries[count];
     if (!body.hasFiniteMass()) {
