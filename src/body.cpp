@@ -90,9 +90,10 @@ void RigidBody::setPrincipalInertia(const Matrix3 &tensor, bool isInverse, const
 
 void RigidBody::setPrincipalFrame(const Vector3 &inverseMoments, const Quaternion &axes) {
     inverseInertia = inverseMoments;
+    principalFrame.intermediateAxis = axisOfIntermediateValue(inverseInertia) & 3;
+    principalFrame.hasLockedAxis = inverseInertia.x == 0 || inverseInertia.y == 0 || inverseInertia.z == 0;
+    principalFrame.isTurned = axes != Quaternion();
     principalAxes = axes;
-    principalFrame = axisOfIntermediateValue(inverseInertia);
-    if (axes != Quaternion()) principalFrame |= TURNED;
 }
 
 void RigidBody::setInertiaTensor(const Matrix3 &inertiaTensor) {
@@ -104,7 +105,8 @@ void RigidBody::setInverseInertiaTensor(const Matrix3 &inverseInertiaTensor) {
 }
 
 Matrix3 RigidBody::getInertiaTensor() const {
-    requireVector(!hasLockedAxis(), "RigidBody::getInertiaTensor", "no axis may be locked", inverseInertia);
+    requireVector(!principalFrame.hasLockedAxis, "RigidBody::getInertiaTensor", "no axis may be locked",
+                  inverseInertia);
     return tensorFromPrincipalAxes(principalAxes, inertia);
 }
 
@@ -113,7 +115,7 @@ Matrix3 RigidBody::getInverseInertiaTensor() const {
 }
 
 Matrix3 RigidBody::getInertiaTensorWorld() const {
-    requireVector(!hasLockedAxis(), "RigidBody::getInertiaTensorWorld", "no axis may be locked",
+    requireVector(!principalFrame.hasLockedAxis, "RigidBody::getInertiaTensorWorld", "no axis may be locked",
                   inverseInertia);
     return tensorFromPrincipalAxes(orientation * principalAxes, inertia);
 }
@@ -248,13 +250,6 @@ void RigidBody::calculateDerivedData() { transform.setOrientationAndPos(orientat
 
 // ---- Forces and sleep
 
-void RigidBody::clearForces() {
-    generated = Wrench();
-    resistance = 0;
-    if (hasAdded) added = Wrench();
-    hasAdded = hasGenerated = false;
-}
-
 void RigidBody::dropLockedForces() {
     generated.force = possible(generated.force);
     added.force = possible(added.force);
@@ -291,10 +286,11 @@ void RigidBody::setSleepEpsilon(real epsilon) {
     motion = std::min(2 * sleepEpsilon, REAL_MAX);
 }
 
-void RigidBody::fallAsleepIfIdle(bool isTorqueFree, real duration) {
+void RigidBody::fallAsleepIfIdle(real duration) {
     const real kept = 1 / (1 + duration);  // of the mean, about a second
     const real current = velocity.squareMagnitude() + rotation.squareMagnitude();
     motion = std::min(kept * motion + (1 - kept) * current, std::min(10 * sleepEpsilon, REAL_MAX));
+    const bool isTorqueFree = !hasFiniteMass() || generated.torque + added.torque == Vector3();
     const bool nothingActs = isTorqueFree && lastFrameAcceleration == Vector3();
     if (nothingActs && motion < sleepEpsilon) setAwake(false);
 }

@@ -26,7 +26,9 @@ struct Work {
     Lanes axis1Gain, axis1Loss;    // half angle about axis 1 = l1·(gain − loss·l1²)
     Lanes axis2Gain, axis2Loss;    // half angle about axis 2 = l2·(gain − loss·l2²)
     Lanes n1, d1, n2, d2, n3, d3;  // tangents of the three half angles, as fractions
-    Lanes r, i, j, k;              // the step's rotation
+    Lanes r, i, j, k;              // the step's rotation, of any length
+    Lanes squaredLength;           // of that; known before the rotation itself
+    Lanes squaredMomentum;         // |l|²
     Lanes squaredAngle;            // sum of the squares of all half angles, and of the turns' coupling
 };
 
@@ -49,38 +51,44 @@ CYCLONE_INLINE void correctAngles(const FreeRotation &b, Work &w, int lanes, rea
     for (int n = 0; n < lanes; ++n) {
         const real alpha = b.inverseInertia[1][n] - b.inverseInertia[0][n];
         const real beta = b.inverseInertia[2][n] - b.inverseInertia[0][n];
-        const real l0 = w.l0[n], l1 = w.l1[n], l2 = w.l2[n];
-        const real square = l0 * l0 + l1 * l1 + l2 * l2;
+        const real x = b.momentum[0][n], y = b.momentum[1][n], z = b.momentum[2][n];
+        const real square = x * x + y * y + z * z;
         const real both = alpha * beta * square * hh;
-        const real common = 1 - (alpha - 2 * beta) * (alpha * l1 * l1 + beta * l2 * l2) * hh * (1.0 / 6);
+        const real angle1 = alpha * (h * 0.25), angle2 = beta * (h * 0.5);
+        const real common = (alpha - 2 * beta) * (hh / 6);
+        const real energy = alpha * w.l1[n] * w.l1[n] + beta * w.l2[n] * w.l2[n];
+        w.squaredMomentum[n] = square;
         w.squaredAngle[n] = -COUPLING_WEIGHT * both;
-        w.axis1Gain[n] = alpha * h * 0.25 * (common + both * (1.0 / 12));
-        w.axis1Loss[n] = alpha * h * 0.25 * (alpha * (3 * beta - alpha) * hh * (1.0 / 6));
-        w.axis2Gain[n] = beta * h * 0.5 * (common - both * (1.0 / 6));
-        w.axis2Loss[n] = beta * h * 0.5 * (beta * (2 * beta - 3 * alpha) * hh * (1.0 / 6));
+        w.axis1Gain[n] = angle1 * (1 + both * (1.0 / 12)) - angle1 * common * energy;
+        w.axis1Loss[n] = angle1 * (alpha * (3 * beta - alpha) * (hh / 6));
+        w.axis2Gain[n] = angle2 * (1 - both * (1.0 / 6)) - angle2 * common * energy;
+        w.axis2Loss[n] = angle2 * (beta * (2 * beta - 3 * alpha) * (hh / 6));
     }
 }
 
 /// Half a turn about axis 1, one about axis 2, half a turn about axis 1.
 CYCLONE_INLINE void turnAboutAxes(Work &w, int lanes) {
     for (int n = 0; n < lanes; ++n) {
-        const real u1 = w.l1[n] * (w.axis1Gain[n] - w.axis1Loss[n] * w.l1[n] * w.l1[n]), uu1 = u1 * u1;
+        const real l0 = w.l0[n], l1 = w.l1[n], l2 = w.l2[n];
+        const real u1 = l1 * (w.axis1Gain[n] - w.axis1Loss[n] * l1 * l1), uu1 = u1 * u1;
         const real n1 = tangentNumerator(u1, uu1), d1 = tangentDenominator(uu1);
-        const real scale1 = 1 / (n1 * n1 + d1 * d1);
-        const real c1 = (d1 * d1 - n1 * n1) * scale1, s1 = 2 * n1 * d1 * scale1;
-        const real lx = c1 * w.l0[n] - s1 * w.l2[n];
-        const real lz = c1 * w.l2[n] + s1 * w.l0[n];
+        const real square1 = n1 * n1 + d1 * d1, scale1 = 1 / square1;
+        const real c1 = d1 * d1 - n1 * n1, s1 = 2 * n1 * d1;
+        const real lx = (c1 * l0 - s1 * l2) * scale1;
+        const real lz = (c1 * l2 + s1 * l0) * scale1;
 
         const real u2 = lz * (w.axis2Gain[n] - w.axis2Loss[n] * lz * lz), uu2 = u2 * u2;
         const real n2 = tangentNumerator(u2, uu2), d2 = tangentDenominator(uu2);
-        const real scale2 = 1 / (n2 * n2 + d2 * d2);
-        const real c2 = (d2 * d2 - n2 * n2) * scale2, s2 = 2 * n2 * d2 * scale2;
-        const real ly = c2 * w.l1[n] - s2 * lx;
+        const real square2 = n2 * n2 + d2 * d2, scale2 = 1 / square2;
+        const real c2 = d2 * d2 - n2 * n2, s2 = 2 * n2 * d2;
+        const real ly = (c2 * l1 - s2 * lx) * scale2;
 
         const real u3 = ly * (w.axis1Gain[n] - w.axis1Loss[n] * ly * ly), uu3 = u3 * u3;
+        const real n3 = tangentNumerator(u3, uu3), d3 = tangentDenominator(uu3);
         w.n1[n] = n1, w.d1[n] = d1;
         w.n2[n] = n2, w.d2[n] = d2;
-        w.n3[n] = tangentNumerator(u3, uu3), w.d3[n] = tangentDenominator(uu3);
+        w.n3[n] = n3, w.d3[n] = d3;
+        w.squaredLength[n] = square1 * square2 * (n3 * n3 + d3 * d3);
         w.turned1[n] = ly, w.turned2[n] = lz;
         w.squaredAngle[n] += uu1 + uu2 + uu3;
     }
@@ -92,12 +100,13 @@ CYCLONE_INLINE void composeTurns(const FreeRotation &b, Work &w, int lanes, real
         const real i0 = b.inverseInertia[0][n];
         const real alpha = b.inverseInertia[1][n] - i0, beta = b.inverseInertia[2][n] - i0;
         const real l1 = w.l1[n], ly = w.turned1[n], lz = w.turned2[n];
-        const real rate = i0 + alpha * beta * h * h * (1.0 / 12) *
-                                   (alpha * 0.5 * (l1 * l1 + ly * ly) - 2 * beta * (lz * lz));
-        const real fx = w.l0[n] * (h * 0.5 * rate), fy = l1 * (h * 0.5 * rate),
-                   fz = w.l2[n] * (h * 0.5 * rate);
-        const real ff = fx * fx + fy * fy + fz * fz;
+        const real rate =
+            i0 + alpha * beta * (h * h / 12) * (alpha * 0.5 * (l1 * l1 + ly * ly) - 2 * beta * (lz * lz));
+        const real angle = h * 0.5 * rate;  // half of it, for each unit of l
+        const real fx = w.l0[n] * angle, fy = l1 * angle, fz = w.l2[n] * angle;
+        const real ff = angle * angle * w.squaredMomentum[n];
         const real sine = tangentNumerator(1, ff), cosine = tangentDenominator(ff);
+        w.squaredLength[n] *= cosine * cosine + sine * sine * ff;
         w.squaredAngle[n] += ff;
 
         // (cosine, sine·f)·(d1, 0, n1, 0)
@@ -117,20 +126,17 @@ CYCLONE_INLINE void composeTurns(const FreeRotation &b, Work &w, int lanes, real
     }
 }
 
+/// Normalised by the product of the lengths, so as not to wait for the product itself.
 CYCLONE_INLINE void turnOrientation(FreeRotation &b, const Work &w, int lanes) {
     for (int n = 0; n < lanes; ++n) {
         const real r = b.orientation[0][n], i = b.orientation[1][n], j = b.orientation[2][n],
                    k = b.orientation[3][n];
         const real sr = w.r[n], si = w.i[n], sj = w.j[n], sk = w.k[n];
-        const real qr = r * sr - i * si - j * sj - k * sk;
-        const real qi = r * si + i * sr + j * sk - k * sj;
-        const real qj = r * sj + j * sr + k * si - i * sk;
-        const real qk = r * sk + k * sr + i * sj - j * si;
-        const real scale = 1 / real_sqrt(qr * qr + qi * qi + qj * qj + qk * qk);
-        b.orientation[0][n] = qr * scale;
-        b.orientation[1][n] = qi * scale;
-        b.orientation[2][n] = qj * scale;
-        b.orientation[3][n] = qk * scale;
+        const real scale = 1 / real_sqrt((r * r + i * i + j * j + k * k) * w.squaredLength[n]);
+        b.orientation[0][n] = (r * sr - i * si - j * sj - k * sk) * scale;
+        b.orientation[1][n] = (r * si + i * sr + j * sk - k * sj) * scale;
+        b.orientation[2][n] = (r * sj + j * sr + k * si - i * sk) * scale;
+        b.orientation[3][n] = (r * sk + k * sr + i * sj - j * si) * scale;
     }
 }
 
@@ -148,9 +154,9 @@ CYCLONE_INLINE void updateRotation(FreeRotation &b, int lanes) {
         const real w0 = b.inverseInertia[0][n] * (xx * x + yx * y + zx * z);
         const real w1 = b.inverseInertia[1][n] * (xy * x + yy * y + zy * z);
         const real w2 = b.inverseInertia[2][n] * (xz * x + yz * y + zz * z);
-        b.matrix[0][n] = xx, b.matrix[1][n] = xy, b.matrix[2][n] = xz;
-        b.matrix[3][n] = yx, b.matrix[4][n] = yy, b.matrix[5][n] = yz;
-        b.matrix[6][n] = zx, b.matrix[7][n] = zy, b.matrix[8][n] = zz;
+        b.matrix[0][0][n] = xx, b.matrix[0][1][n] = xy, b.matrix[0][2][n] = xz;
+        b.matrix[1][0][n] = yx, b.matrix[1][1][n] = yy, b.matrix[1][2][n] = yz;
+        b.matrix[2][0][n] = zx, b.matrix[2][1][n] = zy, b.matrix[2][2][n] = zz;
         b.rotation[0][n] = xx * w0 + xy * w1 + xz * w2;
         b.rotation[1][n] = yx * w0 + yy * w1 + yz * w2;
         b.rotation[2][n] = zx * w0 + zy * w1 + zz * w2;

@@ -37,8 +37,8 @@ struct CYCLONE_API FreeRotation {
     Lanes orientation[4];  ///< r, i, j, k; from principal axes to world, unit
 
     // Out.
-    Lanes matrix[9];    ///< of the new orientation, row by row
-    Lanes rotation[3];  ///< angular velocity that belongs to finalMomentum, world, rad/s
+    Lanes matrix[3][3];  ///< of the new orientation
+    Lanes rotation[3];   ///< angular velocity that belongs to finalMomentum, world, rad/s
 
     /// Advances the first `lanes` bodies (1 … LANES) by `duration` seconds. A body that turns by more than
     /// about 1 rad, or tumbles fast for its shape, is advanced in up to 256 shorter steps; what would need

@@ -10,9 +10,9 @@ namespace detail {
 /// Bodies or registrations in each part: some microseconds of work.
 constexpr std::size_t PARALLEL_PART = 256;
 
-/// With fewer bodies or registrations than this the calling thread alone is faster: waking others and waiting
-/// for them takes longer than it saves.
-constexpr std::size_t PARALLEL_MINIMUM = 4096;
+/// With fewer bodies or registrations than this the calling thread alone is faster than Workers: waking
+/// others and waiting for them takes longer than it saves. A host's own job system is used from two parts on.
+constexpr std::size_t LEAST_FOR_WORKERS = 4096, LEAST_FOR_HOST = PARALLEL_PART + 1;
 
 }  // namespace detail
 }  // namespace cyclone

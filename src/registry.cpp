@@ -306,14 +306,14 @@ void ForceRegistry::updateForces(real duration, JobSystem &jobs) {
         }
         phase = Phase::PARALLEL;
         ParallelJob job(*this, begin, runEnd, duration);
-        if (runEnd - begin < PARALLEL_MINIMUM)
+        if (runEnd - begin <= PARALLEL_PART)
             callInOrder(begin, runEnd, duration);
         else
             jobs.parallelFor(job.getPartCount(), job);
         phase = Phase::SERIAL;
     }
     if (!anyMayBeStiff) return;
-    if (end < PARALLEL_MINIMUM) return resist(0, end, duration);
+    if (end <= PARALLEL_PART) return resist(0, end, duration);
     phase = Phase::PARALLEL;
     ResistJob job(*this, duration);
     jobs.parallelFor(job.getPartCount(), job);

@@ -43,54 +43,35 @@ void StepBlock::updateDamping(RigidBody &body) {
 // ---- Before the rotation
 
 CYCLONE_INLINE StepBlock::AngularImpulse StepBlock::kickAndDrift(RigidBody &body, Entry &entry) {
-    Vector3 velocity = body.velocity, acceleration, addedAcceleration, torque;
-    AngularImpulse impulse;
-    if (body.hasFiniteMass()) {
-        const real lastLinearKick = body.memory.linearKick, lastAngularKick = body.memory.angularKick;
-        if (body.dampedDuration != duration) updateDamping(body);
-        torque = body.generated.torque;
-        acceleration = body.acceleration + body.generated.force * body.inverseMass;
-        velocity += (acceleration - body.memory.acceleration) * lastLinearKick;
-        impulse.kick = (torque - body.memory.torque) * lastAngularKick;
-        if (body.hasAdded) {
-            torque += body.added.torque;
-            addedAcceleration = body.added.force * body.inverseMass;
-            velocity += addedAcceleration * duration;
-            impulse.kick += body.added.torque * duration;
-        }
-        velocity = velocity * body.linearFactor + acceleration * body.memory.linearKick;
-        impulse.halfKick = body.generated.torque * body.memory.angularKick;
+    const real lastLinearKick = body.memory.linearKick, lastAngularKick = body.memory.angularKick;
+    if (body.dampedDuration != duration) updateDamping(body);
+
+    const Vector3 acceleration = body.acceleration + body.generated.force * body.inverseMass;
+    Vector3 velocity = body.velocity + (acceleration - body.memory.acceleration) * lastLinearKick;
+    Vector3 kick = (body.generated.torque - body.memory.torque) * lastAngularKick;
+    if (body.hasAdded) {
+        velocity += body.added.force * body.inverseMass * duration;
+        kick += body.added.torque * duration;
     }
-    new (&entry) Entry{&body,
-                       body.getPosition() + velocity * duration,
-                       velocity,
-                       acceleration,
-                       addedAcceleration,
-                       torque == Vector3()};
-    return impulse;
+    velocity = velocity * body.linearFactor + acceleration * body.memory.linearKick;
+    new (&entry) Entry{&body, body.getPosition() + velocity * duration, velocity, acceleration};
+    return {kick, body.generated.torque * body.memory.angularKick};
 }
 
 namespace {
 
-/// Where each body axis, and each element of a matrix, goes when the axes are renumbered cyclically so that
-/// the intermediate one becomes axis 0.
-struct Renumbering {
-    std::size_t axis[3], element[9];
-};
-constexpr Renumbering FROM_X = {{0, 1, 2}, {0, 1, 2, 3, 4, 5, 6, 7, 8}},
-                      FROM_Y = {{2, 0, 1}, {8, 6, 7, 2, 0, 1, 5, 3, 4}},
-                      FROM_Z = {{1, 2, 0}, {4, 5, 3, 7, 8, 6, 1, 2, 0}};
-/// By a body's principalFrame: that the axes are turned makes no difference.
-constexpr Renumbering RENUMBERINGS[7] = {FROM_X, FROM_Y, FROM_Z, {}, FROM_X, FROM_Y, FROM_Z};
+/// Where each axis goes when they are renumbered cyclically so that the intermediate one becomes axis 0.
+using Renumbering = std::size_t[3];
+constexpr Renumbering RENUMBERINGS[3] = {{0, 1, 2}, {2, 0, 1}, {1, 2, 0}};
 
-void storeRenumbered(real (*rows)[FreeRotation::LANES], const std::size_t *row, int lane, const Vector3 &v) {
-    rows[row[0]][lane] = v.x;
-    rows[row[1]][lane] = v.y;
-    rows[row[2]][lane] = v.z;
+void storeRenumbered(FreeRotation::Lanes *axes, const Renumbering &to, int lane, const Vector3 &v) {
+    axes[to[0]][lane] = v.x;
+    axes[to[1]][lane] = v.y;
+    axes[to[2]][lane] = v.z;
 }
 
-Vector3 loadRenumbered(const real (*rows)[FreeRotation::LANES], const std::size_t *row, int lane) {
-    return Vector3(rows[row[0]][lane], rows[row[1]][lane], rows[row[2]][lane]);
+Vector3 loadRenumbered(const FreeRotation::Lanes *axes, const Renumbering &from, int lane) {
+    return Vector3(axes[from[0]][lane], axes[from[1]][lane], axes[from[2]][lane]);
 }
 
 }  // namespace
@@ -130,46 +111,48 @@ CYCLONE_INLINE bool StepBlock::commit(const Entry &entry, const Quaternion &orie
     body.velocity = velocity;
     body.rotation = rotation;
     body.angularMomentum = angularMomentum;
-    body.lastFrameAcceleration = entry.acceleration + entry.addedAcceleration;
+    body.lastFrameAcceleration = entry.acceleration;
     if (body.hasFiniteMass()) {
+        if (body.hasAdded) body.lastFrameAcceleration += body.added.force * body.inverseMass;
         body.memory.acceleration = entry.acceleration;
         body.memory.torque = body.generated.torque;
     }
+    if (body.canSleep) body.fallAsleepIfIdle(duration);
     body.clearAccumulators();
-    if (body.canSleep) body.fallAsleepIfIdle(entry.isTorqueFree, duration);
     return true;
 }
 
 // ---- Around the rotation
 
 CYCLONE_INLINE void StepBlock::gather(const RigidBody &body, const AngularImpulse &impulse, int lane) {
-    const std::size_t *const row = RENUMBERINGS[body.principalFrame].axis;
-    const Quaternion q = body.hasTurnedAxes() ? body.orientation * body.principalAxes : body.orientation;
+    const Renumbering &axis = RENUMBERINGS[body.principalFrame.intermediateAxis];
+    const Quaternion q =
+        body.principalFrame.isTurned ? body.orientation * body.principalAxes : body.orientation;
     freeRotation.orientation[0][lane] = q.r;
-    storeRenumbered(freeRotation.orientation + 1, row, lane, Vector3(q.i, q.j, q.k));
-    storeRenumbered(freeRotation.inverseInertia, row, lane, body.inverseInertia);
+    storeRenumbered(freeRotation.orientation + 1, axis, lane, Vector3(q.i, q.j, q.k));
+    storeRenumbered(freeRotation.inverseInertia, axis, lane, body.inverseInertia);
 
     const Vector3 momentum = (body.angularMomentum + impulse.kick) * body.angularFactor + impulse.halfKick;
-    storeRenumbered(freeRotation.momentum, row, lane, momentum);
-    storeRenumbered(freeRotation.finalMomentum, row, lane, momentum * body.angularFactor + impulse.halfKick);
+    storeRenumbered(freeRotation.momentum, axis, lane, momentum);
+    storeRenumbered(freeRotation.finalMomentum, axis, lane, momentum * body.angularFactor + impulse.halfKick);
 }
 
 CYCLONE_INLINE void StepBlock::scatter(const Entry &entry, int lane) {
     RigidBody &body = *entry.body;
-    const Renumbering &renumbering = RENUMBERINGS[body.principalFrame];
-    const std::size_t *const row = renumbering.axis;
-    const Vector3 v = loadRenumbered(freeRotation.orientation + 1, row, lane);
+    const Renumbering &axis = RENUMBERINGS[body.principalFrame.intermediateAxis];
+    const Vector3 v = loadRenumbered(freeRotation.orientation + 1, axis, lane);
     Quaternion orientation(freeRotation.orientation[0][lane], v.x, v.y, v.z);
-    if (body.hasTurnedAxes()) orientation *= body.principalAxes.conjugate();
+    if (body.principalFrame.isTurned) orientation *= body.principalAxes.conjugate();
 
-    if (!commit(entry, orientation, loadRenumbered(freeRotation.rotation, row, lane),
-                loadRenumbered(freeRotation.finalMomentum, row, lane)))
+    if (!commit(entry, orientation, loadRenumbered(freeRotation.rotation, axis, lane),
+                loadRenumbered(freeRotation.finalMomentum, axis, lane)))
         return;
-    if (body.hasTurnedAxes()) return body.calculateDerivedData();
-    for (int line = 0; line < 3; ++line)
-        for (int column = 0; column < 3; ++column)
-            body.transform.data[4 * line + column] =
-                freeRotation.matrix[renumbering.element[3 * line + column]][lane];
+    if (body.principalFrame.isTurned) return body.calculateDerivedData();
+    for (std::size_t row = 0; row < 3; ++row) {
+        const Vector3 r = loadRenumbered(freeRotation.matrix[axis[row]], axis, lane);
+        real *const target = body.transform.data + 4 * row;
+        target[0] = r.x, target[1] = r.y, target[2] = r.z;
+    }
 }
 
 /// A body that is immovable or has a locked axis: each component of its rotation in its own axes goes on
@@ -200,10 +183,14 @@ void StepBlock::rotateLocked(const Entry &entry, const AngularImpulse &impulse) 
 
 // ---- The step
 
-void StepBlock::add(RigidBody &body) {
+CYCLONE_INLINE void StepBlock::add(RigidBody &body) {
     Entry &entry = entries[count];
+    if (!body.hasFiniteMass()) {
+        new (&entry) Entry{&body, body.getPosition() + body.velocity * duration, body.velocity, Vector3()};
+        return rotateLocked(entry, AngularImpulse());
+    }
     const AngularImpulse impulse = kickAndDrift(body, entry);
-    if (!body.isFreeRotor()) return rotateLocked(entry, impulse);
+    if (body.principalFrame.hasLockedAxis) return rotateLocked(entry, impulse);
     gather(body, impulse, count);
     if (++count == SIZE) finish();
 }

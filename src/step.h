@@ -40,8 +40,6 @@ private:
         RigidBody *body;
         Vector3 position, velocity;
         Vector3 acceleration;  ///< A
-        Vector3 addedAcceleration;
-        bool isTorqueFree;
     };
     /// What changes the angular momentum: at once, and after each half of the damping.
     struct AngularImpulse {

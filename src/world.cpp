@@ -140,10 +140,10 @@ void World::destroyForce(ForceGenerator &force) {
 // ---- A frame
 
 /// Runs a job over all bodies, in parts, on as many threads as are worth it.
-void World::runParts(JobSystem::Job &job, std::size_t leastForThreads) {
+void World::runParts(JobSystem::Job &job, std::size_t least) {
     const std::size_t count = members->getBodiesAndGaps().size();
     const std::size_t parts = (count + PARALLEL_PART - 1) / PARALLEL_PART;
-    if (jobs != nullptr && count >= leastForThreads)
+    if (jobs != nullptr && count >= least)
         jobs->parallelFor(parts, job);
     else
         for (std::size_t part = 0; part < parts; ++part) job.run(part);
@@ -166,7 +166,7 @@ private:
 void World::startFrame() {
     requireIdle("World::startFrame");
     ClearJob job(members->getBodiesAndGaps());
-    runParts(job, 8 * PARALLEL_MINIMUM);
+    runParts(job, 8 * leastForJobs);
 }
 
 /// While generators that may act on any body are called, whatever is added is theirs. If one throws, it is
@@ -212,7 +212,7 @@ void World::runPhysics(real duration) {
 
 void World::updateForces(real duration) {
     ForcesOnAll forces(*this);
-    if (jobs != nullptr)
+    if (jobs != nullptr && registry.size() >= leastForJobs)
         registry.updateForces(duration, *jobs);
     else
         registry.updateForces(duration);
@@ -255,7 +255,7 @@ void World::integrate(real duration) {
             world.freeEndedBodies();
         }
     } const atEnd{*this, job};
-    runParts(job, PARALLEL_MINIMUM);
+    runParts(job, leastForJobs);
 }
 
 void World::listFaultedBodies(bool anyNew) {
@@ -275,12 +275,14 @@ void World::setWorkers(std::size_t threadCount) {
     if (threadCount > 1) crew = std::make_unique<Workers>(threadCount);
     workers = std::move(crew);
     jobs = workers.get();
+    leastForJobs = LEAST_FOR_WORKERS;
 }
 
 void World::setJobSystem(JobSystem *hostJobs) {
     requireIdle("World::setJobSystem");
     workers.reset();
     jobs = hostJobs;
+    leastForJobs = LEAST_FOR_HOST;
 }
 
 }  // namespace cyclone

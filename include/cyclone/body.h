@@ -262,6 +262,15 @@ private:
     friend class detail::StepBlock;
     friend struct detail::StateMembers;
 
+    /// What is known of the principal axes.
+    struct PrincipalFrame {
+        std::uint8_t intermediateAxis : 2;  ///< that of the middle moment; of equal ones, 1
+        bool isTurned : 1;                  ///< the principal axes are not the body's
+        bool hasLockedAxis : 1;             ///< a moment is infinite
+
+        PrincipalFrame() : intermediateAxis(1), isTurned(false), hasLockedAxis(false) {}
+    };
+
     /// What is true of this object only, and not of a copy of it.
     struct Marks {
         bool inGenerator = false;  ///< a ForceRegistry is calling one of this body's generators
@@ -291,7 +300,12 @@ private:
         const real larger = i.x > i.y ? i.x : i.y;
         return larger > i.z ? larger : i.z;
     }
-    void clearForces();
+    void clearForces() {
+        generated = Wrench();
+        resistance = 0;
+        if (hasAdded) added = Wrench();
+        hasAdded = hasGenerated = false;
+    }
     /// Makes the coming step's kick implicit where it resists too strongly for an explicit one.
     void resist(const Resistance &sum, real duration);
     /// Whether that may be so.
@@ -305,16 +319,9 @@ private:
     void setPrincipalInertia(const Matrix3 &tensor, bool isInverse, const char *function);
     void setPrincipalFrame(const Vector3 &inverseMoments, const Quaternion &axes);
     Vector3 angularMomentumFor(const Vector3 &turning, const Quaternion &bodyToWorld) const;
-    bool hasLockedAxis() const {
-        return inverseInertia.x == 0 || inverseInertia.y == 0 || inverseInertia.z == 0;
-    }
-    bool isFreeRotor() const { return inverseMass > 0 && !hasLockedAxis(); }
     Matrix3 getPrincipalAxesInWorld() const;
-    /// In principalFrame: the principal axes are not the body's.
-    static constexpr std::uint8_t TURNED = 4;
-    bool hasTurnedAxes() const { return (principalFrame & TURNED) != 0; }
 
-    void fallAsleepIfIdle(bool isTorqueFree, real duration);
+    void fallAsleepIfIdle(real duration);
     void markFaulted();
 
     // What generators read and write comes first, then what only the step does, then what it rarely needs:
@@ -325,7 +332,7 @@ private:
     bool hasAdded = false;      ///< `added` is not zero
     bool hasGenerated = false;  ///< `generated` is not zero
     std::uint8_t lockedMotion = 0;
-    std::uint8_t principalFrame = 1;  ///< the axis of the middle moment, of equal ones 1; and TURNED, if so
+    PrincipalFrame principalFrame;
     Marks marks;
     Matrix4 transform;
     Vector3 velocity;

@@ -137,14 +137,15 @@ public:
     /// @}
 
     /// @name Threads
-    /// The frame's work can be shared out. The result does not depend on it, not by one bit. Worlds of fewer
-    /// than some thousand bodies stay on the calling thread, which is faster.
+    /// The frame's work can be shared out. The result does not depend on it, not by one bit.
     /// @{
 
     /// Lets `threadCount` threads work on each frame, the calling one among them, at most 256; 0 or 1: only
-    /// that.
+    /// that. Worlds of fewer than some thousand bodies stay on the calling thread all the same, which is
+    /// faster.
     void setWorkers(std::size_t threadCount);
-    /// Uses the host's own job system, which must outlive the world; null: none.
+    /// Uses the host's own job system, in parts of some hundred bodies, however few there are; only what
+    /// makes a single part stays on the calling thread. It must outlive the world; null: none.
     void setJobSystem(JobSystem *hostJobs);
     /// @}
 
@@ -168,7 +169,7 @@ private:
     void ownForce(std::unique_ptr<ForceGenerator> force, RigidBody *body, RigidBody *other,
                   const char *function);
 
-    void runParts(JobSystem::Job &job, std::size_t leastForThreads);
+    void runParts(JobSystem::Job &job, std::size_t least);
     void updateForces(real duration);
     void listFaultedBodies(bool anyNew);
 
@@ -188,6 +189,7 @@ private:
     ForceRegistry registry;
     std::unique_ptr<Workers> workers;
     JobSystem *jobs = nullptr;
+    std::size_t leastForJobs = 0;  ///< bodies or registrations that are worth sharing out
 };
 
 }  // namespace cyclone

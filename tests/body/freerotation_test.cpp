@@ -47,7 +47,7 @@ Vector3 rotationOf(const FreeRotation &block, int lane) {
 }
 Matrix3 matrixOf(const FreeRotation &block, int lane) {
     Matrix3 m;
-    for (int n = 0; n < 9; ++n) m.data[n] = block.matrix[n][lane];
+    for (int n = 0; n < 9; ++n) m.data[n] = block.matrix[n / 3][n % 3][lane];
     return m;
 }
 

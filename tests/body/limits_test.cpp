@@ -34,8 +34,10 @@ TEST(Limits, MomentsMayDifferByATrillion) {
             const real energy = body.getAngularMomentum() * body.getRotation();
             for (int n = 0; n < 6000; ++n) {
                 ASSERT_TRUE(body.integrate(H));
-                // Two moments are equal, so speed and energy are constant.
-                ASSERT_NEAR(body.getRotation().magnitude(), speed, 2e-3) << ratio;
+                // Two moments are equal, so speed and energy are constant. Where the lesser momentum is a
+                // trillionth, rounding of the greater one counts 1e12·1e-16 a step, by √6000 in a random
+                // walk.
+                ASSERT_NEAR(body.getRotation().magnitude(), speed, 1e-2) << ratio;
                 ASSERT_NEAR(body.getAngularMomentum() * body.getRotation(), energy, 1e-9 * energy) << ratio;
             }
         }

