@@ -11,9 +11,8 @@ using cyclone::real_sin;
 
 namespace {
 
-constexpr Colour CREAM{246, 240, 222}, GLASS{96, 140, 170}, DARK{52, 56, 64}, STEEL{150, 156, 164},
-    QUIET{206, 212, 218}, NEXT{255, 96, 24}, SECOND{250, 210, 70}, GHOST{190, 226, 255}, SMOKE{62, 60, 62},
-    CHALK{240, 240, 236}, TARMAC{92, 94, 98};
+constexpr Colour GLASS{96, 140, 170}, DARK{52, 56, 64}, STEEL{150, 156, 164}, QUIET{206, 212, 218},
+    NEXT{255, 96, 24}, SECOND{250, 210, 70}, GHOST{190, 226, 255}, SMOKE{62, 60, 62}, CHALK{240, 240, 236};
 constexpr real TUBE = 0.9, NEXT_TUBE = 2, SECOND_TUBE = 1.4;  // m, thickness of a hoop
 constexpr int SIDES = 20;                                     // of a hoop
 constexpr real POINTER_HEIGHT = 3.4;                          // m above the aircraft

@@ -53,7 +53,7 @@ TEST_F(DemoKeptFile, StaysAsItIsWhenNotReplaced) {
 }
 
 TEST_F(DemoKeptFile, WhatCannotBeReadOrWrittenIsSaidAtOnce) {
-    EXPECT_THROW(KeptFile(testing::TempDir()), std::runtime_error) << "a folder";
+    EXPECT_THROW(KeptFile{testing::TempDir()}, std::runtime_error) << "a folder";
     EXPECT_THROW(KeptFile(testing::TempDir() + "no/such/directory/file"), std::runtime_error);
 }
 
