@@ -181,6 +181,7 @@ void Wing::setOrientation(const Quaternion &q) {
     orientation = q;
     orientation.normalise();
     wingToBody.setOrientation(orientation);
+    isTurned = orientation != Quaternion();
 }
 
 void Wing::setWater(const Water *sea, real depth, real kilogramsPerCubicMetre) {
@@ -202,14 +203,16 @@ real Wing::immerse(const RigidBody &body, Vector3 &velocity) const {
 
 inline Wing::Flow Wing::getFlow(const RigidBody &body) const {
     const Vector3 arm = body.getDirectionInWorldSpace(position);
-    const Vector3 axis = body.getDirectionInWorldSpace(wingToBody.getAxisVector(2));
+    const Vector3 axis = isTurned ? body.getDirectionInWorldSpace(wingToBody.getAxisVector(2))
+                                  : body.getTransform().getAxisVector(2);
     real scale = 0.5 * density * span * chord;
     Vector3 velocity = body.getVelocity() + body.getRotation() % arm;
     if (windspeed != nullptr) velocity += *windspeed;
     if (windField != nullptr) velocity -= windField->getVelocity(body.getPointInWorldSpace(position));
     if (water != nullptr) scale *= immerse(body, velocity);
 
-    const Vector3 u = wingToBody.transformTranspose(body.getDirectionInLocalSpace(velocity));
+    const Vector3 local = body.getDirectionInLocalSpace(velocity);
+    const Vector3 u = isTurned ? wingToBody.transformTranspose(local) : local;
     const real square = u.x * u.x + u.y * u.y;
     if (square < 1e-300) return {u, 0, 0, 1, scale, arm, axis};
     const real speed = real_sqrt(square);
@@ -224,7 +227,7 @@ inline Vector3 Wing::getForceBy(const Flow &flow, const WingSection::Coefficient
     const real lift = flow.scale * flow.speed * c.lift, drag = flow.scale * flow.speed * c.drag;
     const real friction = flow.scale * section.leastDrag * real_abs(u.z);
     const Vector3 force(-lift * u.y - drag * u.x, lift * u.x - drag * u.y, -friction * u.z);
-    return body.getDirectionInWorldSpace(wingToBody * force);
+    return body.getDirectionInWorldSpace(isTurned ? wingToBody * force : force);
 }
 
 // The couple may drive the rotation, as in a wing that tumbles; but not by more than the power that the drag

@@ -167,6 +167,7 @@ private:
     real flapChord = 0, maxFlapAngle = 0, control = 0;
     Quaternion orientation;
     Matrix3 wingToBody;
+    bool isTurned = false;  ///< wingToBody is not the identity
     detail::WingCurve curve;
 };
 
