@@ -256,7 +256,11 @@ void RigidBody::dropLockedForces() {
 }
 
 void RigidBody::wakeForForce(const Vector3 &force, const Vector3 &torque) {
-    if (!faulted && (possible(force) != Vector3() || torque != Vector3())) setAwake(true);
+    if (faulted) return;
+    if (possible(force) != Vector3() || torque != Vector3())
+        setAwake(true);
+    else
+        dropLockedForces();  // nothing lies on a sleeping body
 }
 
 void RigidBody::setAwake(bool wake) {

@@ -243,4 +243,15 @@ TEST(LockedMotion, KeepsMomentumAlongFreeDirections) {
     EXPECT_GT(std::fabs(one->getPosition().x), 0.01);
 }
 
+TEST(LockedMotion, AForceAlongItLeavesASleeperAsItIs) {
+    RigidBody body = planar();
+    body.setAwake(false);
+    const RigidBody::State asleep = body.getState();
+    body.addForce(Vector3(0, 0, 5));
+    EXPECT_FALSE(body.getAwake());
+    EXPECT_EQ(body.getState().findError(), nullptr);
+    body.setLockedMotion(false, false, false);
+    EXPECT_EQ(body.getState().added.force, asleep.added.force);
+}
+
 }  // namespace
