@@ -268,7 +268,7 @@ private:
         bool isTurned : 1;                  ///< the principal axes are not the body's
         bool hasLockedAxis : 1;             ///< a moment is infinite
 
-        PrincipalFrame() : intermediateAxis(1), isTurned(false), hasLockedAxis(false) {}
+        constexpr PrincipalFrame() : intermediateAxis(1), isTurned(false), hasLockedAxis(false) {}
     };
 
     /// What is true of this object only, and not of a copy of it.
