@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "base/angle.h"
+
 namespace flightsim {
 
 using cyclone::real_clamp;
@@ -11,7 +13,7 @@ using cyclone::real_sqrt;
 namespace {
 
 constexpr real DEGREE = REAL_PI / 180;
-constexpr real VARIO_MEMORY = 2, AVERAGE = 25;                              // s
+constexpr real AVERAGE = 25;                                                // s
 constexpr real LIFT = 0.5, HARDLY_LIFT = 0.3;                               // m/s
 constexpr real CEILING = 650, LOWEST_SEARCH = 220;                          // m
 constexpr real SEARCH_TIME = 420;                                           // s; then he goes home
@@ -65,17 +67,6 @@ std::string Soarer::getName(Leg leg) {
 }
 
 // ---- Decisions
-
-/// The variometer, smoothed as a pilot's is, and its mean over about one circle.
-void Soarer::readVario(const Glider &glider, real duration) {
-    const real energyHeight = glider.getEnergyHeight();
-    if (!hasEnergyHeight) lastEnergyHeight = energyHeight;
-    hasEnergyHeight = true;
-    const real rate = (energyHeight - lastEnergyHeight) / duration;
-    lastEnergyHeight = energyHeight;
-    vario += (rate - vario) * duration / VARIO_MEMORY;
-    averageClimb += (rate - averageClimb) * duration / AVERAGE;
-}
 
 void Soarer::chooseCloud(const Vector3 &position) {
     hasCloud = !clouds.empty();
@@ -146,7 +137,7 @@ void Soarer::chooseLeg(const Glider &glider, real duration) {
 
 // ---- Stick, pedals and brakes
 
-/// Pitch keeps the airspeed; the elevator follows, more of it the slower she flies.
+/// Pitch keeps the airspeed.
 void Soarer::holdSpeed(const Glider &glider, real speed, real duration) {
     const RigidBody &body = glider.getBody();
     const real tooFast = glider.getAirspeed() - speed;
@@ -176,7 +167,7 @@ void Soarer::follow(const Glider &glider, real course, real offTrack) {
     const real track = cyclone::real_atan2(velocity.z, velocity.x);
     const real wanted = course - real_clamp(0.008 * offTrack, -0.6, 0.6);
     const real most = std::min(0.04 * heightOf(glider), MAX_BANK);  // she lands with level wings
-    bankTo(glider, real_clamp(1.4 * wrapped(wanted - track), -most, most));
+    bankTo(glider, real_clamp(1.4 * wrapAngle(wanted - track), -most, most));
 }
 
 /// Round the place where he takes the lift to be best, which he shifts to the side of the circle on which the
@@ -189,7 +180,7 @@ void Soarer::circle(const Glider &glider, real duration) {
     const real distance = outwards.magnitude(), bearing = cyclone::real_atan2(outwards.z, outwards.x);
     const real inwards = real_clamp(0.7 * (distance / CIRCLE - 1), -0.8, 0.8);
     const real track = cyclone::real_atan2(velocity.z, velocity.x);
-    const real error = wrapped(bearing + REAL_PI / 2 + inwards - track);
+    const real error = wrapAngle(bearing + REAL_PI / 2 + inwards - track);
     bankTo(glider, real_clamp(CIRCLE_BANK + 1.2 * error, 0.25 * CIRCLE_BANK, MAX_BANK));
 }
 
@@ -228,9 +219,10 @@ void Soarer::land(const Glider &glider, real duration) {
     controls.brakes = 0.4;
 }
 
-GliderControls Soarer::fly(const Glider &glider, real duration) {
+GliderControls Soarer::fly(const Glider &glider, real shown, real duration) {
     time += duration;
-    readVario(glider, duration);
+    vario = shown;
+    averageClimb += (vario - averageClimb) * duration / AVERAGE;
     chooseLeg(glider, duration);
     controls.brakes = leg == Leg::SEARCH || leg == Leg::CIRCLE ? 0 : controls.brakes;
     switch (leg) {
@@ -264,7 +256,7 @@ GliderControls Soarer::fly(const Glider &glider, real duration) {
             const real along = direction > 0 ? 0 : REAL_PI,
                        offLine = toRunway(glider.getBody().getPosition()).z;
             const real wanted = along - real_clamp(0.03 * offLine, -0.3, 0.3);
-            controls.pedal = real_clamp(8 * wrapped(wanted - headingOf(glider.getBody())), -1, 1);
+            controls.pedal = real_clamp(8 * wrapAngle(wanted - headingOf(glider.getBody())), -1, 1);
             controls.roll = real_clamp(-3 * bankOf(glider.getBody()), -1, 1);
             controls.pull = 0;
             controls.brakes = 1;

@@ -18,18 +18,15 @@ public:
     /// clouds: their places; the height does not matter. He lands into the wind, which comes from windFrom.
     Soarer(const std::vector<Vector3> &clouds, const Vector3 &windFrom);
 
-    /// The controls for the next step of `duration` s.
-    GliderControls fly(const Glider &glider, real duration);
+    /// The controls for the next step of `duration` s. vario: what the variometer shows, m/s.
+    GliderControls fly(const Glider &glider, real vario, real duration);
 
     Leg getLeg() const { return leg; }
     static std::string getName(Leg leg);
-    /// m/s: how fast the energy height changes, over the last seconds.
-    real getVario() const { return vario; }
     /// m: gained in thermals so far.
     real getHeightGained() const { return gained; }
 
 private:
-    void readVario(const Glider &glider, real duration);
     void chooseLeg(const Glider &glider, real duration);
     bool leavesThermal(real height, real duration);
     void chooseCloud(const Vector3 &position);
@@ -49,9 +46,8 @@ private:
     Vector3 cloud;                ///< the one he flies to
     Vector3 centre;               ///< of his circles
     bool hasCloud = false;
-    real direction = 1;  ///< of the landing along X
-    real vario = 0, lastEnergyHeight = 0, averageClimb = 0;
-    bool hasEnergyHeight = false;
+    real direction = 1;                ///< of the landing along X
+    real vario = 0, averageClimb = 0;  ///< m/s: now, and over about a circle
     real time = 0, circled = 0, heightAtEntry = 0, gained = 0;
     real pitchTrim = 0;
 };

@@ -12,7 +12,7 @@ namespace {
 
 constexpr real DEGREE = cyclone::REAL_PI / 180;
 constexpr real NEWTONS_PER_METRE = 200;  // of the force arrows
-constexpr real VARIO_MEMORY = 1;         // s
+constexpr real VARIO_MEMORY = 1.5;       // s
 constexpr Colour LIFT_COLOUR{255, 214, 64}, BRAKE_COLOUR{255, 120, 90};
 const char *const WING_NAMES[] = {"port tip",      "port wing", "starboard wing",
                                   "starboard tip", "tailplane", "fin"};
@@ -105,7 +105,7 @@ void Soaring::launch() {
 }
 
 void Soaring::steer() {
-    const GliderControls wanted = pilot.fly(glider, profile.step);
+    const GliderControls wanted = pilot.fly(glider, vario, profile.step);
     setControl(PULL, wanted.pull);
     setControl(ROLL, wanted.roll);
     setControl(RUDDER, wanted.pedal);
