@@ -35,26 +35,18 @@ Aircraft::Aircraft(cyclone::World &world, const Model &m, const cyclone::WindFie
     forces[4] = &propeller;
     Matrix3 inertia;
     inertia.setDiagonal(m.momentsOfInertia.x, m.momentsOfInertia.y, m.momentsOfInertia.z);
+    body->setMass(model.mass);
     body->setInertiaTensor(inertia);
+    body->setAcceleration(Vector3::GRAVITY);
 }
 
 void Aircraft::launch(const Vector3 &position) {
     body->setAwake(false);  // at rest, and nothing remembered of the flight before
     body->setAwake();
-    body->setMass(model.mass);
-    body->setAcceleration(Vector3::GRAVITY);
     body->setPosition(position);
     body->setOrientation(Quaternion());
     body->setVelocity(Vector3(model.cruise, 0, 0) + air->getVelocity(position));
     setSticks(Sticks());
-}
-
-void Aircraft::wreck() {
-    body->setVelocity(Vector3());
-    body->setRotation(Vector3());
-    body->setAcceleration(Vector3());
-    body->setInverseMass(0);
-    body->setAwake(false);
 }
 
 void Aircraft::setSticks(const Sticks &s) {

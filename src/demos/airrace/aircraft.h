@@ -59,8 +59,6 @@ public:
 
     /// In the air, along +X, at its cruising speed through it.
     void launch(const Vector3 &position);
-    /// Stays where it is, for good, until launched.
-    void wreck();
     void setSticks(const Sticks &s);
     const Sticks &getSticks() const { return sticks; }
 

@@ -1,5 +1,6 @@
 #include "airrace/pilot.h"
 
+#include "base/angle.h"
 #include "models/attitude.h"
 
 namespace airrace {
@@ -52,7 +53,7 @@ Sticks Stabiliser::hold(const Aircraft &aircraft, const Command &command, real d
     sticks.throttle = command.throttle;
 
     const real rollRate =
-        real_clamp(BANK_GAIN * demo::wrapped(command.bank - bank), -model.rollRate, model.rollRate);
+        real_clamp(BANK_GAIN * demo::wrapAngle(command.bank - bank), -model.rollRate, model.rollRate);
     sticks.aileron = (1.5 * rollRate - 0.5 * rates.x) / (model.rollRate * bite);
 
     // The lift across the path that turns it upwards as wanted, over the weight, and the pitch rate with it.

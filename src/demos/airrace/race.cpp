@@ -3,8 +3,8 @@
 #include <algorithm>
 
 #include "airrace/parts.h"
+#include "base/angle.h"
 #include "base/text.h"
-#include "models/attitude.h"
 
 namespace airrace {
 
@@ -17,12 +17,6 @@ constexpr real STALL_MEMORY = 4;     // s: what hits the ground so soon after a 
 constexpr real NEWTONS_PER_METRE = 4000;
 constexpr Colour LIFT{255, 214, 64}, THRUST{255, 120, 90};
 const char *const FORCE_NAMES[] = {"port wing", "starboard wing", "tailplane", "fin", "thrust"};
-
-/// "12R"; straight ahead has no side.
-std::string sided(real angle) {
-    const std::string shown = fixed(cyclone::real_abs(angle) / DEGREE, 0);
-    return shown + (shown == "0" ? "" : angle > 0 ? "R" : "L");
-}
 
 }  // namespace
 
@@ -56,7 +50,7 @@ void Race::fillProfile() {
                     "",
                     "Fly through the orange hoop, then the yellow one;",
                     "the arrow above you points to it, HOOP tells how far,",
-                    "how many degrees Left or Right and how much higher.",
+                    "how many degrees to Port or Starboard, how much up.",
                     "The pale aircraft is the best lap. The swallow",
                     "stalls in steep turns when it is slow."};
     const RigidBody &body = aircraft->getBody();
@@ -137,7 +131,6 @@ void Race::launch() {
     pilot = Pilot();
     marshal.startOver();
     sinceStart.clear();
-    wreckage.clear();
     lastStalled = -STALL_MEMORY;
 }
 
@@ -150,14 +143,12 @@ void Race::steer() {
 
 void Race::beforeStep() {
     before = getPose();
-    if (hasCrashed()) return;
     const Command command{getControl(BANK) * DEGREE, getControl(CLIMB) * DEGREE, getControl(THROTTLE)};
     aircraft->setSticks(stabiliser.hold(*aircraft, command, profile.step));
     turbulence.advance(aircraft->getVelocityThroughAir(), before.position.y, profile.step);
 }
 
 void Race::afterStep() {
-    if (hasCrashed()) return;
     if (aircraft->isStalled()) {
         if (getTime() - lastStalled > STALL_MEMORY) tell("stalled: less bank, nose down");
         lastStalled = getTime();
@@ -194,12 +185,10 @@ void Race::watchTheGround() {
     const RigidBody &body = aircraft->getBody();
     if (!body.hasFaulted() && !aircraft->touchesGround()) return;
     ++crashes;
-    wreckage = body.hasFaulted()                        ? "broke up"
-               : getTime() - lastStalled < STALL_MEMORY ? "stalled, and fell to the ground"
-                                                        : "flew into the ground";
-    wreckage += " at " + fixed(aircraft->getAirspeed(), 0) + " m/s";
-    tell("crashed: " + wreckage + "; R to try again");
-    aircraft->wreck();
+    const std::string how = body.hasFaulted()                        ? "broke up"
+                            : getTime() - lastStalled < STALL_MEMORY ? "stalled, and fell to the ground"
+                                                                     : "flew into the ground";
+    wreckBy("crashed: " + how + " at " + fixed(aircraft->getAirspeed(), 0) + " m/s");
 }
 
 Pose Race::getPose() const {
@@ -225,10 +214,10 @@ std::vector<Pose> Race::getPoses() const {
     const Pose pose = getPose();
     const Pose smoke = {Vector3(pose.position.x, 0, pose.position.z), cyclone::Quaternion()};
     return {pose,
-            hasCrashed() ? NOWHERE : posePointer(pose, next.centre),
+            !getWreck().empty() ? NOWHERE : posePointer(pose, next.centre),
             poseMarker(next),
             poseMarker(second),
-            hasCrashed() ? smoke : NOWHERE,
+            getWreck().empty() ? NOWHERE : smoke,
             getGhost().value_or(NOWHERE)};
 }
 
@@ -250,13 +239,12 @@ std::string Race::describeNextHoop() const {
     const std::size_t next = marshal.getNext();
     const RigidBody &body = aircraft->getBody();
     const Vector3 way = getCourse()[next].centre - body.getPosition();
-    const real bearing = wrapped(cyclone::real_atan2(way.z, way.x) - headingOf(body));
+    const real off = wrapAngle(bearing(way) - headingOf(body));
     return "HOOP " + std::to_string(next + 1) + "/" + std::to_string(getCourse().size()) + " " +
-           fixed(way.magnitude(), 0) + "m " + sided(bearing) + " " + signedFixed(way.y, 0);
+           fixed(way.magnitude(), 0) + "m " + sided(off) + " " + signedFixed(way.y, 0);
 }
 
 std::string Race::getHeadUpLine() const {
-    if (hasCrashed()) return "CRASHED: " + wreckage + ". R to try again";
     const std::optional<real> clock = getLapClock();
     const Lap *lap = getBestLap();
     return describeNextHoop() + "  LAP " + (clock ? fixed(*clock, 1) : "-") + "  BEST " +
@@ -273,7 +261,7 @@ std::string Race::getSummary() const {
     if (const Lap *lap = getBestLap()) text += "\nBest lap: " + fixed(lap->time, 3) + " s";
     text += "\nHoops: " + std::to_string(marshal.getPassed()) + " passed, " +
             std::to_string(marshal.getMissed()) + " missed\nCrashes: " + std::to_string(crashes);
-    return text + (hasCrashed() ? ", the last: " + wreckage : "");
+    return text;
 }
 
 }  // namespace airrace

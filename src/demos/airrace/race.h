@@ -4,6 +4,7 @@
 #include "airrace/lap.h"
 #include "airrace/marshal.h"
 #include "airrace/pilot.h"
+#include "models/attitude.h"
 #include "shell/demo.h"
 
 namespace airrace {
@@ -21,14 +22,16 @@ public:
     explicit Race(const std::string &aircraft);
 
     void steer() override;
-    bool isOver() const override { return hasCrashed() || sinceStart.size() >= PILOTS_LAPS; }
+    bool isOver() const override { return sinceStart.size() >= PILOTS_LAPS; }
     std::string getHeadUpLine() const override;
+    std::optional<Attitude> getAttitude() const override {
+        return Attitude{pitchOf(aircraft->getBody()), bankOf(aircraft->getBody())};
+    }
     std::string getSummary() const override;
 
     const Aircraft &getAircraft() const { return *aircraft; }
     Aircraft &getAircraft() { return *aircraft; }
     const Marshal &getMarshal() const { return marshal; }
-    bool hasCrashed() const { return !wreckage.empty(); }
     /// s: all laps of the run.
     const std::vector<real> &getLaps() const { return laps; }
     /// Null without one.
@@ -67,7 +70,6 @@ private:
     Pose before;                         ///< the step
     real lastStalled = 0;                ///< s, when
     std::vector<real> laps, sinceStart;  ///< s: of the run, and since it was last begun
-    std::string wreckage;                ///< how it crashed; empty: it flies
     unsigned crashes = 0;
 };
 

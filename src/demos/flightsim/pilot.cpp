@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "base/angle.h"
+
 namespace flightsim {
 
 using cyclone::real_clamp;
@@ -153,7 +155,7 @@ void Pilot::steerOnGround(const Aircraft &aircraft) {
     const Vector3 air = body.getDirectionInLocalSpace(aircraft.getVelocityThroughAir());
     const real slip = cyclone::real_atan2(air.z, real_clamp(air.x, 0.1, 100));
     const real most = maxSlip(cyclone::real_sqrt(air.x * air.x + air.z * air.z));
-    const real error = real_clamp(wrapped(wanted - aircraft.getHeading()), slip - most, slip + most);
+    const real error = real_clamp(wrapAngle(wanted - aircraft.getHeading()), slip - most, slip + most);
     const real rudder = 1.2 * error + 0.3 * body.getRotation().y + 8 * aircraft.getRoll();
     sticks.rudder = real_clamp(rudder, -1, 1);
     sticks.roll = real_clamp(-6 * aircraft.getRoll(), -1, 1);
@@ -190,7 +192,7 @@ void Pilot::follow(const Aircraft &aircraft, real course, real offTrack) {
     const real track = cyclone::real_atan2(velocity.z, velocity.x);
     const real wanted = course - real_clamp(0.03 * offTrack, -0.6, 0.6);
     const real maxBank = real_clamp(0.1 * heightOf(aircraft), 0, MAX_BANK);  // it lands wings level
-    const real bank = real_clamp(0.9 * wrapped(wanted - track), -maxBank, maxBank);
+    const real bank = real_clamp(0.9 * wrapAngle(wanted - track), -maxBank, maxBank);
     const real rollRate = body.getDirectionInLocalSpace(body.getRotation()).x;
     const real stick = 0.17 * bank + 1.2 * (bank - aircraft.getRoll()) - 0.12 * rollRate;
     sticks.roll = real_clamp(stick, -0.8, 0.8) * stickScale(aircraft);

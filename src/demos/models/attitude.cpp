@@ -3,7 +3,6 @@
 namespace demo {
 
 using cyclone::real_atan2;
-using cyclone::REAL_PI;
 using cyclone::Vector3;
 
 real headingOf(const RigidBody &body) {
@@ -18,12 +17,6 @@ real pitchOf(const RigidBody &body) {
 
 real bankOf(const RigidBody &body) {
     return real_atan2(-body.getTransform().getAxisVector(2).y, body.getTransform().getAxisVector(1).y);
-}
-
-real wrapped(real angle) {
-    while (angle > REAL_PI) angle -= 2 * REAL_PI;
-    while (angle < -REAL_PI) angle += 2 * REAL_PI;
-    return angle;
 }
 
 }  // namespace demo

@@ -15,7 +15,4 @@ real pitchOf(const RigidBody &body);
 /// rad, −π … π: positive to starboard.
 real bankOf(const RigidBody &body);
 
-/// The same angle between −π and π.
-real wrapped(real angle);
-
 }  // namespace demo

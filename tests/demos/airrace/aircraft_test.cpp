@@ -178,17 +178,6 @@ TEST(DemoStabiliser, TakesABankAndAClimbAndKeepsThem) {
         }
 }
 
-TEST(DemoRacers, AWreckStaysUntilLaunched) {
-    Sky sky("gnat");
-    sky.aircraft->wreck();
-    const Vector3 place = sky.aircraft->getBody().getPosition();
-    sky.fly({1, 1, 1}, 2);
-    EXPECT_EQ(sky.aircraft->getBody().getPosition(), place);
-    sky.aircraft->launch(place);
-    sky.fly({0, 0, 0.5}, 1);
-    EXPECT_NEAR(sky.aircraft->getBody().getPosition().x, sky.aircraft->getModel().cruise, 3);
-}
-
 TEST(DemoRacers, AnUnknownNameIsRefused) {
     cyclone::World world;
     EXPECT_THROW(Aircraft::make("zeppelin", world, nullptr), std::invalid_argument);
