@@ -193,7 +193,7 @@ void Show::drawHorizon() {
     const std::string bank = fixed(std::fabs(degrees(attitude->bank)), 0);
     const std::string side = bank == "0" ? "" : attitude->bank < 0 ? " left" : " right";
     const std::string numbers = signedFixed(degrees(attitude->pitch), 0) + "° " + bank + "°" + side;
-    canvas.print(left, top + rows, numbers);
+    canvas.print(canvas.columns() - static_cast<int>(fromUtf8(numbers).size()), top + rows, numbers);
 }
 
 /// Below the middle, where the wreck lies.
