@@ -23,7 +23,7 @@ constexpr real CENTRING = 0.015;  // 1/m: how far he shifts the circle for what 
 constexpr real MAX_BANK = 48 * DEGREE;
 // The circuit, in the runway's frame: +X is the way he lands.
 constexpr real DOWNWIND_Z = -320, BASE_X = -450, AIM_X = -50;  // m
-constexpr real CIRCUIT_HEIGHT = 140, FLARE_HEIGHT = 5;        // m
+constexpr real CIRCUIT_HEIGHT = 140, FLARE_HEIGHT = 5;         // m
 constexpr real GLIDE_SLOPE = 0.11;
 
 real groundSpeed(const Glider &glider) {
