@@ -12,7 +12,7 @@ using cyclone::real_sin;
 namespace {
 
 constexpr Colour GLASS{96, 140, 170}, DARK{52, 56, 64}, STEEL{150, 156, 164}, QUIET{206, 212, 218},
-    NEXT{255, 96, 24}, SECOND{250, 210, 70}, GHOST{190, 226, 255}, SMOKE{62, 60, 62}, CHALK{240, 240, 236};
+    NEXT{255, 96, 24}, SECOND{250, 210, 70}, GHOST{190, 226, 255}, CHALK{240, 240, 236};
 constexpr real TUBE = 0.9, NEXT_TUBE = 2, SECOND_TUBE = 1.4;  // m, thickness of a hoop
 constexpr int SIDES = 20;                                     // of a hoop
 constexpr real POINTER_HEIGHT = 3.4;                          // m above the aircraft
@@ -86,8 +86,6 @@ Quaternion towards(const Vector3 &direction) {
 
 }  // namespace
 
-const Pose NOWHERE{Vector3(0, -3000, 0), Quaternion()};
-
 Part makeAircraftPart(const Model &model) {
     const Livery livery = liveryOf(model);
     return makeAirframe(model.name, model.span, livery.main, livery.trim, GLASS);
@@ -95,18 +93,6 @@ Part makeAircraftPart(const Model &model) {
 
 Part makeGhostPart(const Model &model) {
     return makeAirframe("ghost of the best lap", model.span, GHOST, GHOST, GHOST);
-}
-
-Part makeSmoke() {
-    Part part{"smoke", {}, false};
-    // Rings across x, turned upright: x is up here.
-    std::vector<std::vector<Vector3>> rings;
-    const real radii[] = {0.6, 2.2, 3, 4.4, 5, 2};
-    for (int n = 0; n < 6; ++n) rings.push_back(ringAcrossX({5.0 * n, 0.4 * n, 0.9 * n}, radii[n], radii[n]));
-    for (std::vector<Vector3> &ring : rings)
-        for (Vector3 &corner : ring) corner = Vector3(-corner.y, corner.x, corner.z);
-    addLoft(part, rings, SMOKE);
-    return part;
 }
 
 std::vector<Part> makeHoops(const std::vector<Hoop> &course) {

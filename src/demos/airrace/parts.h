@@ -10,14 +10,9 @@ namespace airrace {
 using demo::Part;
 using demo::Pose;
 
-/// What is put where it is not seen: under the ground.
-extern const Pose NOWHERE;
-
 /// One part for the whole of it: span and colours are the aircraft's own.
 Part makeAircraftPart(const Model &model);
 Part makeGhostPart(const Model &model);
-/// Over a wreck.
-Part makeSmoke();
 
 /// All hoops on their masts, and the start line below the first; in world coordinates.
 std::vector<Part> makeHoops(const std::vector<Hoop> &course);

@@ -5,15 +5,14 @@
 #include "airrace/parts.h"
 #include "base/angle.h"
 #include "base/text.h"
+#include "picture/solids.h"
 
 namespace airrace {
 
 namespace {
 
 constexpr real DEGREE = cyclone::REAL_PI / 180;
-constexpr real GUSTS_OF_WIND = 0.1;  // MIL-F-8785C: the vertical gusts' root mean square over the wind
-constexpr real WIND_HEIGHT = 10;     // m, that the wind is told for
-constexpr real STALL_MEMORY = 4;     // s: what hits the ground so soon after a stall has fallen
+constexpr real STALL_MEMORY = 4;  // s: what hits the ground so soon after a stall has fallen
 constexpr real NEWTONS_PER_METRE = 4000;
 constexpr Colour LIFT{255, 214, 64}, THRUST{255, 120, 90};
 const char *const FORCE_NAMES[] = {"port wing", "starboard wing", "tailplane", "fin", "thrust"};
@@ -21,12 +20,7 @@ const char *const FORCE_NAMES[] = {"port wing", "starboard wing", "tailplane", "
 }  // namespace
 
 Race::Race(const std::string &name)
-    : gradient(Vector3(), WIND_HEIGHT),
-      turbulence(0),
-      aircraft(Aircraft::make(name, world, &air)),
-      marshal(getCourse(), aircraft->getModel().span / 2) {
-    air.add(&gradient);
-    air.add(&turbulence);
+    : aircraft(Aircraft::make(name, world, &air)), marshal(getCourse(), aircraft->getModel().span / 2) {
     fillProfile();
     fillScene();
     begin(1);
@@ -116,9 +110,8 @@ void Race::fillScene() {
 
 void Race::prepare(std::uint64_t seed, const std::vector<real> &settings) {
     const real from = settings.at(WIND_DIRECTION) * DEGREE, speed = settings.at(WIND_SPEED);
-    gradient = cyclone::WindGradient(Vector3(cyclone::real_cos(from), 0, cyclone::real_sin(from)) * -speed,
-                                     WIND_HEIGHT);
-    turbulence = cyclone::Turbulence(settings.at(GUSTS) / GUSTS_OF_WIND, seed);
+    air = Breeze(Vector3(cyclone::real_cos(from), 0, cyclone::real_sin(from)) * speed, settings.at(GUSTS),
+                 seed);
     marshal = Marshal(getCourse(), aircraft->getModel().span / 2);
     best = kept;
     laps.clear();
@@ -145,7 +138,7 @@ void Race::beforeStep() {
     before = getPose();
     const Command command{getControl(BANK) * DEGREE, getControl(CLIMB) * DEGREE, getControl(THROTTLE)};
     aircraft->setSticks(stabiliser.hold(*aircraft, command, profile.step));
-    turbulence.advance(aircraft->getVelocityThroughAir(), before.position.y, profile.step);
+    air.advance(aircraft->getVelocityThroughAir(), before.position.y, profile.step);
 }
 
 void Race::afterStep() {

@@ -1,6 +1,6 @@
 #include "flightsim/aircraft.h"
 
-#include "flightsim/landing.h"
+#include "models/hull.h"
 
 namespace flightsim {
 

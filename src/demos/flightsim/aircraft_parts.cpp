@@ -7,11 +7,10 @@ namespace flightsim {
 namespace {
 
 constexpr Colour RED{214, 62, 44}, CREAM{246, 240, 222}, DARK{52, 56, 64}, BLUE{44, 92, 150},
-    WOOD{168, 120, 72}, GLASS{120, 170, 200}, ORANGE{240, 130, 30}, TARMAC{92, 94, 98}, WHITE{236, 236, 232};
+    WOOD{168, 120, 72}, GLASS{120, 170, 200}, TARMAC{92, 94, 98}, WHITE{236, 236, 232};
 constexpr real DEGREE = cyclone::REAL_PI / 180;
 
 const Vector3 FLAP_HINGE(0.12, 0.352, 0.38), RUDDER_HINGE(-0.9, 0.3, 0), PROPELLER_HUB(0.48, 0.1, 0);
-const Vector3 WINDSOCK(30, 3, -9);
 
 /// A wing's section across z, from leading to trailing edge.
 std::vector<Vector3> section(real leading, real trailing, real y, real z) {
@@ -98,76 +97,31 @@ Part makePropeller() {
     return part;
 }
 
-Part makePole() {
-    Part part{"pole", {}, false};
-    addBar(part, {0, -WINDSOCK.y, 0}, {0, 0.2, 0}, 0.08, WHITE);
-    return part;
-}
-
-/// It points along its own +X, away from the pole.
-Part makeWindsock() {
-    Part part{"windsock", {}, true};
-    const Colour bands[] = {ORANGE, WHITE, ORANGE, WHITE};
-    real x = 0;
-    for (const Colour band : bands) {
-        const real radius = 0.3 - 0.06 * x;
-        addLoft(part,
-                {ringAcrossX({x, 0, 0}, radius, radius, 6),
-                 ringAcrossX({x + 0.5, 0, 0}, radius - 0.03, radius - 0.03, 6)},
-                band);
-        x += 0.5;
-    }
-    return part;
-}
-
-Pose onBody(const Aircraft &aircraft, const Vector3 &point, const Vector3 &axis, real angle) {
-    const RigidBody &body = aircraft.getBody();
-    return {body.getPointInWorldSpace(point), body.getOrientation() * Quaternion::fromAxisAngle(axis, angle)};
-}
-
-/// Blown out by the wind, and hanging where there is none.
-Quaternion windsockOrientation(const Vector3 &windspeed) {
-    const Vector3 downwind = -windspeed;
-    const real speed = windspeed.magnitude();
-    const real droop = cyclone::real_atan2(1.5, speed * speed);
-    const Quaternion turn =
-        Quaternion::fromAxisAngle(Vector3::Y, cyclone::real_atan2(-downwind.z, speed > 0 ? downwind.x : 1));
-    return turn * Quaternion::fromAxisAngle(Vector3::Z, -droop);
-}
-
-Part rectangle(const std::string &name, real x1, real x2, real z1, real z2, Colour colour) {
-    return {name, {{{{x1, 0, z2}, {x2, 0, z2}, {x2, 0, z1}, {x1, 0, z1}}, colour}}, false};
-}
-
 }  // namespace
+
+const Vector3 WINDSOCK_PLACE(30, 0, -9);
 
 std::vector<Part> makeAircraftParts() {
     return {makeBody(), makeFlap("port flap"), makeFlap("starboard flap"), makeRudder(), makePropeller()};
 }
 
 std::vector<Pose> poseAircraft(const Aircraft &aircraft, real propellerAngle) {
+    const RigidBody &body = aircraft.getBody();
     const FlightControls &sticks = aircraft.getControls();
     const Vector3 portHinge(FLAP_HINGE.x, FLAP_HINGE.y, -FLAP_HINGE.z);
     const real both = 20 * DEGREE * sticks.pitch, opposite = 20 * DEGREE * sticks.roll;
-    return {onBody(aircraft, Vector3(), Vector3::X, 0),
-            onBody(aircraft, portHinge, Vector3::Z, both + opposite),
-            onBody(aircraft, FLAP_HINGE, Vector3::Z, both - opposite),
-            onBody(aircraft, RUDDER_HINGE, Vector3::Y, 25 * DEGREE * sticks.rudder),
-            onBody(aircraft, PROPELLER_HUB, Vector3::X, propellerAngle)};
-}
-
-std::vector<Part> makeWindsockParts() { return {makePole(), makeWindsock()}; }
-
-std::vector<Pose> poseWindsock(const Vector3 &windspeed) {
-    return {{WINDSOCK, Quaternion()}, {WINDSOCK, windsockOrientation(windspeed)}};
+    return {poseOn(body, Vector3(), Vector3::X, 0), poseOn(body, portHinge, Vector3::Z, both + opposite),
+            poseOn(body, FLAP_HINGE, Vector3::Z, both - opposite),
+            poseOn(body, RUDDER_HINGE, Vector3::Y, 25 * DEGREE * sticks.rudder),
+            poseOn(body, PROPELLER_HUB, Vector3::X, propellerAngle)};
 }
 
 std::vector<Part> paintRunway() {
-    std::vector<Part> paint = {rectangle("runway", -12, 112, -4, 4, TARMAC)};
+    std::vector<Part> paint = {paintRectangle("runway", -12, 112, -4, 4, TARMAC)};
     for (int n = 0; n < 12; ++n)
-        paint.push_back(rectangle("stripe", -2 + 9.0 * n, 2 + 9.0 * n, -0.12, 0.12, WHITE));
+        paint.push_back(paintRectangle("stripe", -2 + 9.0 * n, 2 + 9.0 * n, -0.12, 0.12, WHITE));
     for (const real z : {-3.2, -2.2, -1.2, 1.2, 2.2, 3.2})
-        paint.push_back(rectangle("threshold", -10.5, -6.5, z - 0.3, z + 0.3, WHITE));
+        paint.push_back(paintRectangle("threshold", -10.5, -6.5, z - 0.3, z + 0.3, WHITE));
     return paint;
 }
 

@@ -10,9 +10,8 @@ namespace flightsim {
 std::vector<Part> makeAircraftParts();
 std::vector<Pose> poseAircraft(const Aircraft &aircraft, real propellerAngle);
 
-/// A windsock on its pole.
-std::vector<Part> makeWindsockParts();
-std::vector<Pose> poseWindsock(const Vector3 &windspeed);
+/// Where the windsock stands, its foot.
+extern const Vector3 WINDSOCK_PLACE;
 
 /// A runway along +X, its middle line at z = 0.
 std::vector<Part> paintRunway();

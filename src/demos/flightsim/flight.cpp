@@ -4,6 +4,8 @@
 
 #include "base/text.h"
 #include "flightsim/aircraft_parts.h"
+#include "models/hull.h"
+#include "picture/windsock.h"
 
 namespace flightsim {
 
@@ -146,8 +148,9 @@ void Flight::watchTheGround() {
     } else if (airborne && touches) {
         airborne = false;
         const Landing landing = measureLanding(body, lastVelocity, RUNWAY);
-        log.landings.add(landing);
-        tell("touched down at " + describe(landing, WORST_LANDING));
+        const std::string how = describe(landing, WORST_LANDING);
+        log.landings.add(how, judge(landing, WORST_LANDING));
+        tell("touched down at " + how);
     }
 }
 
@@ -160,7 +163,7 @@ real Flight::getHeight() const { return aircraft.getBody().getPosition().y - Air
 
 std::vector<Pose> Flight::getPoses() const {
     std::vector<Pose> poses = poseAircraft(aircraft, propellerAngle);
-    for (const Pose &pose : poseWindsock(wind.getWindspeed())) poses.push_back(pose);
+    for (const Pose &pose : poseWindsock(WINDSOCK_PLACE, wind.getWindspeed())) poses.push_back(pose);
     return poses;
 }
 

@@ -1,6 +1,6 @@
 #include "flightsim/glider.h"
 
-#include "flightsim/landing.h"
+#include "models/hull.h"
 
 namespace flightsim {
 

@@ -70,15 +70,6 @@ Part makeBrakes() {
     return part;
 }
 
-Pose onBody(const Glider &glider, const Vector3 &point, const Vector3 &axis, real angle) {
-    const RigidBody &body = glider.getBody();
-    return {body.getPointInWorldSpace(point), body.getOrientation() * Quaternion::fromAxisAngle(axis, angle)};
-}
-
-Part rectangle(const std::string &name, real x1, real x2, real z1, real z2, Colour colour) {
-    return {name, {{{{x1, 0, z2}, {x2, 0, z2}, {x2, 0, z1}, {x1, 0, z1}}, colour}}, false};
-}
-
 /// A heap: rings across x that swell and shrink, flat below.
 Part makeCloud(const Vector3 &base) {
     Part part{"cloud", {}, false};
@@ -107,24 +98,25 @@ std::vector<Part> makeGliderParts() {
 }
 
 std::vector<Pose> poseGlider(const Glider &glider) {
+    const RigidBody &body = glider.getBody();
     const GliderControls &controls = glider.getControls();
     const Vector3 portHinge(AILERON_HINGE.x, AILERON_HINGE.y, -AILERON_HINGE.z);
     const real aileron = Glider::AILERON_THROW * controls.roll;
-    return {onBody(glider, Vector3(), Vector3::X, 0),
-            onBody(glider, portHinge, Vector3::Z, aileron),
-            onBody(glider, AILERON_HINGE, Vector3::Z, -aileron),
-            onBody(glider, ELEVATOR_HINGE, Vector3::Z, -Glider::ELEVATOR_THROW * controls.pull),
-            onBody(glider, RUDDER_HINGE, Vector3::Y, Glider::RUDDER_THROW * controls.pedal),
-            onBody(glider, BRAKES + Vector3(0, 0.27 * controls.brakes, 0), Vector3::X, 0)};
+    return {poseOn(body, Vector3(), Vector3::X, 0),
+            poseOn(body, portHinge, Vector3::Z, aileron),
+            poseOn(body, AILERON_HINGE, Vector3::Z, -aileron),
+            poseOn(body, ELEVATOR_HINGE, Vector3::Z, -Glider::ELEVATOR_THROW * controls.pull),
+            poseOn(body, RUDDER_HINGE, Vector3::Y, Glider::RUDDER_THROW * controls.pedal),
+            poseOn(body, BRAKES + Vector3(0, 0.27 * controls.brakes, 0), Vector3::X, 0)};
 }
 
 std::vector<Part> paintAirfield() {
-    std::vector<Part> paint = {rectangle("runway", -500, 500, -15, 15, MOWN)};
+    std::vector<Part> paint = {paintRectangle("runway", -500, 500, -15, 15, MOWN)};
     for (const real x : {-1.0, 1.0})
         for (const real z : {-15.0, -5.0, 5.0})
-            paint.push_back(rectangle("threshold", 480 * x - 15, 480 * x + 15, z, z + 10 - 4, CHALK));
+            paint.push_back(paintRectangle("threshold", 480 * x - 15, 480 * x + 15, z, z + 10 - 4, CHALK));
     for (int n = -9; n <= 9; ++n)
-        paint.push_back(rectangle("stripe", 50.0 * n - 6, 50.0 * n + 6, -0.4, 0.4, CHALK));
+        paint.push_back(paintRectangle("stripe", 50.0 * n - 6, 50.0 * n + 6, -0.4, 0.4, CHALK));
     return paint;
 }
 

@@ -5,6 +5,8 @@
 #include "base/text.h"
 #include "flightsim/aircraft_parts.h"
 #include "flightsim/glider_parts.h"
+#include "models/hull.h"
+#include "picture/windsock.h"
 
 namespace flightsim {
 
@@ -153,8 +155,9 @@ void Soaring::watchTheGround() {
             return crash("crashed: touched down at " + fixed(sinkRate, 1) + " m/s");
         airborne = false;
         const Landing landing = measureLanding(body, lastVelocity, RUNWAY);
-        log.landings.add(landing);
-        tell("touched down at " + describe(landing, WORST_LANDING));
+        const std::string how = describe(landing, WORST_LANDING);
+        log.landings.add(how, judge(landing, WORST_LANDING));
+        tell("touched down at " + how);
     } else if (!airborne && getHeight() > 3) {
         airborne = true;
     }
@@ -167,7 +170,8 @@ void Soaring::crash(const std::string &how) {
 
 std::vector<Pose> Soaring::getPoses() const {
     std::vector<Pose> poses = poseGlider(glider);
-    for (const Pose &pose : poseWindsock(-weather.getVelocity(Vector3(0, 3, 0)))) poses.push_back(pose);
+    for (const Pose &pose : poseWindsock(WINDSOCK_PLACE, -weather.getVelocity(Vector3(0, 3, 0))))
+        poses.push_back(pose);
     return poses;
 }
 

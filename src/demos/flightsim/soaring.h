@@ -45,7 +45,7 @@ protected:
 private:
     /// For the summary.
     struct Log {
-        LandingLog landings{WORST_LANDING};
+        LandingLog landings;
         unsigned crashes = 0;
         real highest = 0, distance = 0;
     };

@@ -8,13 +8,11 @@ namespace {
 
 constexpr int THERMALS = 6;
 constexpr real CLOUD_BASE = 1300, CLOUD_DRIFT = 80;  // m
-constexpr real GUSTS_OF_WIND =
-    0.1;  // MIL-F-8785C: the vertical gusts' root mean square over the wind at 20 feet
 
 }  // namespace
 
 Weather::Weather(std::uint64_t seed, const Vector3 &windFrom, real gusts, real lift)
-    : gradient(-windFrom, 10), turbulence(gusts / GUSTS_OF_WIND, seed) {
+    : breeze(windFrom, gusts, seed) {
     if (lift == 0) return;
     demo::Random random(seed);
     for (int n = 0; n < THERMALS; ++n) {
@@ -29,11 +27,11 @@ Weather::Weather(std::uint64_t seed, const Vector3 &windFrom, real gusts, real l
 }
 
 void Weather::advance(const Vector3 &velocityThroughAir, real height, real duration) {
-    turbulence.advance(velocityThroughAir, height, duration);
+    breeze.advance(velocityThroughAir, height, duration);
 }
 
 Vector3 Weather::getVelocity(const Vector3 &worldPoint) const {
-    Vector3 velocity = gradient.getVelocity(worldPoint) + turbulence.getVelocity(worldPoint);
+    Vector3 velocity = breeze.getVelocity(worldPoint);
     for (const cyclone::Thermal &thermal : thermals) velocity += thermal.getVelocity(worldPoint);
     return velocity;
 }

@@ -1,7 +1,7 @@
 #pragma once
 
 /// The air on a day for gliders.
-#include <cyclone/wind.h>
+#include "models/breeze.h"
 
 #include <vector>
 
@@ -29,8 +29,7 @@ public:
     const std::vector<Vector3> &getClouds() const { return clouds; }
 
 private:
-    cyclone::WindGradient gradient;
-    cyclone::Turbulence turbulence;
+    demo::Breeze breeze;
     std::vector<cyclone::Thermal> thermals;
     std::vector<Vector3> clouds;
 };

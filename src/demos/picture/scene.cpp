@@ -14,6 +14,13 @@ real frequencyOf(const cyclone::Waves::Train &train) {
 
 Vector3 mix(const Vector3 &a, const Vector3 &b, real share) { return a + (b - a) * share; }
 
+const Pose NOWHERE{Vector3(0, -3000, 0), Quaternion()};
+
+Pose poseOn(const cyclone::RigidBody &body, const Vector3 &bodyPoint, const Vector3 &bodyAxis, real angle) {
+    return {body.getPointInWorldSpace(bodyPoint),
+            body.getOrientation() * Quaternion::fromAxisAngle(bodyAxis, angle)};
+}
+
 Frame interpolated(const Frame &a, const Frame &b, real share) {
     if (b.cut || a.poses.size() != b.poses.size() || a.arrows.size() != b.arrows.size()) return b;
     Frame frame = b;

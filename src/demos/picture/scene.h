@@ -1,6 +1,7 @@
 #pragma once
 
 /// What can be drawn. The terminal's canvas and the page's viewer show the same scene.
+#include <cyclone/body.h>
 #include <cyclone/buoyancy.h>
 
 #include <string>
@@ -41,6 +42,12 @@ struct Pose {
     Vector3 position;
     Quaternion orientation;
 };
+
+/// Where a part is put that is not to be seen: under the ground.
+extern const Pose NOWHERE;
+
+/// Of a part that turns about a point of a body: a flap on its hinge.
+Pose poseOn(const cyclone::RigidBody &body, const Vector3 &bodyPoint, const Vector3 &bodyAxis, real angle);
 
 /// A force or a wind: drawn from `tail` along `vector`, both in world metres.
 struct Arrow {

@@ -74,4 +74,20 @@ Part makeBuoy(const std::string &name, Colour colour) {
     return part;
 }
 
+Part makeSmoke() {
+    Part part{"smoke", {}, false};
+    // Rings across x, turned upright: x is up here.
+    std::vector<std::vector<Vector3>> rings;
+    const real radii[] = {0.6, 2.2, 3, 4.4, 5, 2};
+    for (int n = 0; n < 6; ++n) rings.push_back(ringAcrossX({5.0 * n, 0.4 * n, 0.9 * n}, radii[n], radii[n]));
+    for (std::vector<Vector3> &ring : rings)
+        for (Vector3 &corner : ring) corner = Vector3(-corner.y, corner.x, corner.z);
+    addLoft(part, rings, {62, 60, 62});
+    return part;
+}
+
+Part paintRectangle(const std::string &name, real x1, real x2, real z1, real z2, Colour colour) {
+    return {name, {{{{x1, 0, z2}, {x2, 0, z2}, {x2, 0, z1}, {x1, 0, z1}}, colour}}, false};
+}
+
 }  // namespace demo

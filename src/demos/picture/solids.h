@@ -24,6 +24,12 @@ std::vector<Vector3> ringAcrossX(const Vector3 &middle, real halfHeight, real ha
 /// A conical buoy, 2 m high; its origin is at the waterline.
 Part makeBuoy(const std::string &name, Colour colour);
 
+/// What stands above a wreck; its origin is on the ground.
+Part makeSmoke();
+
+/// On the land, between two corners.
+Part paintRectangle(const std::string &name, real x1, real x2, real z1, real z2, Colour colour);
+
 /// Appends a flat face; counter-clockwise seen from its front.
 void addFace(Part &part, const std::vector<Vector3> &corners, Colour colour);
 
