@@ -53,16 +53,8 @@ Part makeBody() {
     for (const real side : {-1.0, 1.0})
         addBar(part, {-0.1, 0, 0}, {-0.12, bottom + 0.05, 0.28 * side}, 0.018, DARK);
     for (const Vector3 &wheel :
-         {Vector3(0.35, bottom, 0), Vector3(-0.12, bottom, -0.3), Vector3(-0.12, bottom, 0.3)}) {
-        std::vector<Vector3> inner, outer;
-        for (int n = 0; n < 10; ++n) {
-            const real angle = 36 * DEGREE * n;
-            const Vector3 rim(0.05 * cyclone::real_cos(angle), 0.05 + 0.05 * cyclone::real_sin(angle), 0);
-            inner.push_back(wheel + rim - Vector3(0, 0, 0.015));
-            outer.push_back(wheel + rim + Vector3(0, 0, 0.015));
-        }
-        addLoft(part, {outer, inner}, DARK);
-    }
+         {Vector3(0.35, bottom, 0), Vector3(-0.12, bottom, -0.3), Vector3(-0.12, bottom, 0.3)})
+        addWheel(part, wheel, 0.05, 0.03, DARK);
     return part;
 }
 

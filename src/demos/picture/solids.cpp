@@ -50,6 +50,19 @@ void addBar(Part &part, const Vector3 &from, const Vector3 &to, real width, Colo
     addLoft(part, {ring(from), ring(to)}, colour);
 }
 
+void addWheel(Part &part, const Vector3 &lowest, real radius, real width, Colour colour) {
+    constexpr int CORNERS = 10;
+    std::vector<Vector3> port, starboard;
+    for (int n = 0; n < CORNERS; ++n) {
+        const real angle = 2 * cyclone::REAL_PI * n / CORNERS;
+        const Vector3 rim =
+            lowest + Vector3(cyclone::real_cos(angle), 1 + cyclone::real_sin(angle), 0) * radius;
+        port.push_back(rim - Vector3(0, 0, width / 2));
+        starboard.push_back(rim + Vector3(0, 0, width / 2));
+    }
+    addLoft(part, {starboard, port}, colour);
+}
+
 std::vector<Vector3> ringAcrossX(const Vector3 &middle, real halfHeight, real halfWidth, int corners) {
     std::vector<Vector3> ring;
     for (int n = 0; n < corners; ++n) {

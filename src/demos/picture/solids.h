@@ -18,6 +18,9 @@ void addBox(Part &part, const Vector3 &oneCorner, const Vector3 &otherCorner, Co
 /// Appends a bar of square section between two points, `width` m thick.
 void addBar(Part &part, const Vector3 &from, const Vector3 &to, real width, Colour colour);
 
+/// Appends a wheel that rolls along x; its lowest point.
+void addWheel(Part &part, const Vector3 &lowest, real radius, real width, Colour colour);
+
 /// A ring for addLoft, in the plane x: an ellipse about (x, y, z) with half axes along y and z.
 std::vector<Vector3> ringAcrossX(const Vector3 &middle, real halfHeight, real halfWidth, int corners = 8);
 
