@@ -19,6 +19,7 @@ constexpr real HOVER_TIME = 4;                                               // 
 constexpr real JET_BORNE = 34, WING_BORNE = 42;      // m/s: between them the wings take over
 constexpr real JET_PITCH = 0.07, MOST_PITCH = 0.25;  // rad
 constexpr real GATE_SHORT = 1850, GATE_ASIDE = 450, SLOWING_WAY = 1200;  // m
+constexpr real CLOSE = 300;                                              // m: from there he hovers to the pad
 constexpr real SLOWING = 1.1;                                            // m/s²
 constexpr real MOST_BRAKING = 0.3;  // of what pushes upwards: the nozzles don't turn far astern
 
@@ -81,7 +82,11 @@ Pilot::Pilot(std::size_t from, std::size_t to, const Vector3 &windFrom)
 }
 
 void Pilot::takeOver(const Jet &jet) {
-    leg = jet.getAirspeed() > WING_BORNE ? Leg::CRUISE : jet.isOnGround() ? Leg::LIFT_OFF : Leg::SPEED_UP;
+    const bool isNear = distanceOverGround(jet.getBody().getPosition(), pad) < CLOSE;
+    leg = jet.isOnGround()                 ? Leg::LIFT_OFF
+          : jet.getAirspeed() > WING_BORNE ? Leg::CRUISE
+          : isNear                         ? Leg::OVER_THE_PAD
+                                           : Leg::SPEED_UP;
     waited = 0;
 }
 

@@ -126,6 +126,7 @@ TEST(DemoVtol, ThePilotTakesOverWhereverSheIs) {
     takeOverAt(Vector3(300, 60, 200), 50, 0.2, 0);
     takeOverAt(Vector3(-200, 40, -100), 2, 0.78, cyclone::REAL_PI / 2);
     takeOverAt(Vector3(500, 90, 0), 25, 0.6, 1);
+    takeOverAt(PADS[1].centre + Vector3(120, 30, -90), 0, 0.78, cyclone::REAL_PI / 2);
 }
 
 TEST(DemoVtol, TheStabiliserLevelsHerAndStopsHerDrift) {
