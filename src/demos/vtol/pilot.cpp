@@ -13,7 +13,6 @@ using cyclone::real_sqrt;
 
 namespace {
 
-constexpr real G = 9.81;
 constexpr real HOVER_HEIGHT = 20, CRUISE_HEIGHT = 80, APPROACH_HEIGHT = 25;  // m
 constexpr real HOVER_TIME = 4;                                               // s
 constexpr real JET_BORNE = 34, WING_BORNE = 42;      // m/s: between them the wings take over
