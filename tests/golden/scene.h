@@ -34,11 +34,18 @@ private:
     std::uint64_t state;
 };
 
-/// Aircraft, boats, chains, doors, tops, sleepers and a swarm, with every generator of the library and one of
-/// its own, steered by inputs that depend on nothing but the frame's number.
+inline Matrix3 diagonal(real a, real b, real c) {
+    Matrix3 result;
+    result.setDiagonal(a, b, c);
+    return result;
+}
+
+/// Aircraft, boats, chains, doors, tops, sleepers and a swarm, with every generator, wind and water of the
+/// library and some of its own, steered by inputs that depend on nothing but the frame's number and, now and
+/// then, the bodies' states.
 class Scene {
 public:
-    explicit Scene(std::size_t threads = 0, int swarmSize = 250);
+    explicit Scene(std::size_t threads = 0, int swarmSize = 180);
     Scene(const Scene &) = delete;
     Scene &operator=(const Scene &) = delete;
 
@@ -63,7 +70,7 @@ public:
     cyclone::World &getWorld() { return world; }
     const cyclone::World &getWorld() const { return world; }
 
-    /// Every registration that acts on its body only, as it was at the start.
+    /// Every registration that acts on its body only, as it was at the start, of the scene's own generators.
     struct Action {
         RigidBody *body;
         cyclone::ForceGenerator *generator;
@@ -84,8 +91,15 @@ private:
     void registerAction(RigidBody *body, cyclone::ForceGenerator *generator);
     void setUpSwarmBody(RigidBody *body);
 
+    RigidBody *addVehicle(const cyclone::MassProperties &parts, const Vector3 &position,
+                          const Vector3 &velocity);
     void addAircraft(const Vector3 &position);
+    void addGlider(const Vector3 &position);
     void addBoat(const Vector3 &position, bool onWaves);
+    void addMotorboat(const Vector3 &position, bool onFoils);
+    void addRaft(const Vector3 &position, bool inRiver);
+    void addFloats(RigidBody *body, const cyclone::Water *water, real y, real z, real volume);
+
     void addChain(const Vector3 &position);
     void addTetheredPair(const Vector3 &position);
     void addPlatform(const Vector3 &position);
@@ -93,34 +107,55 @@ private:
     void addTop(const Vector3 &position, const Vector3 &rotation);
     void addSleeper(const Vector3 &position);
     void addSwarm(int count);
+    void addWinch(RigidBody *body, const Vector3 &point, const Vector3 &place);
+    void addPod(const Vector3 &position);
+    void addOwned(const Vector3 &position);
+    void addStiff(const Vector3 &position, real strength);
 
     void moveControls();
     void makeGust();
     void addForces();
     void useSetters();
+    void sendHome();
     void changeRegistrations();
     void changeBodies();
+    void shoot();
 
     Random random{1};
     real time = 0;
     int frame = 0;
 
     Vector3 wind{-4, 0, 1}, current{0.2, 0, -0.1};
-    cyclone::WindGradient shear{Vector3(1, 0, 0.5), 10};
-    cyclone::Thermal thermal{Vector3(60, -20, 0), 3, 80, 900};
+    cyclone::WindGradient shear{Vector3(1, 0, 0.5), 10, 0.2};
+    cyclone::Thermal thermal{Vector3(60, -20, 0), 3, 80, 900}, downburst{Vector3(0, -10, 30), -2, 60, 400};
     cyclone::Turbulence gusts{8};
     cyclone::WindSum air;
-    cyclone::Waves sea;
+    cyclone::Waves sea{0.1, 9.8};
     cyclone::Gravity gravity;
     std::deque<RigidBody> storage;
     std::vector<std::unique_ptr<cyclone::ForceGenerator>> generators;
     std::vector<Action> actions;
 
+    /// A body that is sent home now and then, lest it leave all that acts on it.
+    struct Traveller {
+        RigidBody *body;
+        Vector3 home, velocity;
+    };
+    std::vector<Traveller> travellers;
     std::vector<cyclone::AeroControl *> wings;
+    std::vector<cyclone::Wing *> flaps;
     std::vector<cyclone::AngledAero *> sails;
     std::vector<cyclone::Thruster *> thrusters;
+    struct Winch {
+        cyclone::AnchoredSpring *spring;
+        Vector3 place;
+    };
+    std::vector<Winch> winches;
     std::vector<RigidBody *> links, doors, sleepers, swarm;
-    std::vector<std::vector<cyclone::ForceGenerator *>> swarmForces;  ///< by place in the swarm
+    /// By place in the swarm; every other has no spring.
+    std::vector<std::vector<cyclone::ForceGenerator *>> swarmForces;
+    std::vector<cyclone::AnchoredSpring *> swarmSprings;
+    std::deque<RigidBody *> shots;
     RigidBody *platform = nullptr;
     RigidBody visitor;
     bool visitorIsIn = false;

@@ -51,7 +51,7 @@ try() { # number of the mutant, name of the source, number of its change
         echo "does not build" >"$at/result"
     elif cmp -s "$at/$2.o" "$work/src/$2.o"; then
         echo "same code" >"$at/result"
-    elif ! $link $objects "$at/$2.o" "$work"/tests/*.o "$work/golden/scene.o" -lgtest -lgtest_main -o "$at/tests" 2>/dev/null ||
+    elif ! $link $objects "$at/$2.o" "$work"/tests/*.o "$work"/golden/{scene,bodies,vehicles}.o -lgtest -lgtest_main -o "$at/tests" 2>/dev/null ||
         ! $link $objects "$at/$2.o" "$work"/golden/*.o -o "$at/golden" 2>/dev/null; then
         echo "does not build" >"$at/result"
     elif ! passes "$at/tests" --gtest_fail_fast --gtest_filter="$(nearest_tests "$2")" ||

@@ -21,7 +21,7 @@ using namespace cyclone;
 using golden::Random;
 using golden::Scene;
 
-constexpr int SWARM = 880, MOST_GUESTS = 150;
+constexpr int SWARM = 850, MOST_GUESTS = 150;
 
 [[noreturn]] void fail(const char *what, int frame) {
     std::printf("cyclone_soak: frame %d: %s\n", frame, what);
