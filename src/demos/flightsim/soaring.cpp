@@ -17,6 +17,8 @@ constexpr Colour LIFT_COLOUR{255, 214, 64}, BRAKE_COLOUR{255, 120, 90};
 const char *const WING_NAMES[] = {"port tip",      "port wing", "starboard wing",
                                   "starboard tip", "tailplane", "fin"};
 
+const FlightLog::Rules RULES{Glider::WHEEL_HEIGHT, 3, 3, {60, -60}, {2, 150, 15, 10 * DEGREE, 12 * DEGREE}};
+
 Scene makeScene() {
     Scene scene;
     scene.bodies = {{makeGliderParts(), true, false}, {makeWindsockParts(), false, false}};
@@ -31,9 +33,7 @@ Scene makeScene() {
 
 }  // namespace
 
-const Landing Soaring::WORST_LANDING{2, 150, 15, 10 * DEGREE, 12 * DEGREE};
-
-Soaring::Soaring() : glider(world, &weather) {
+Soaring::Soaring() : glider(world, &weather), log(RULES) {
     fillProfile();
     scene = makeScene();
     begin(1);
@@ -92,7 +92,7 @@ void Soaring::prepare(std::uint64_t seed, const std::vector<real> &settings) {
     windFrom = Vector3(speed * cyclone::real_cos(from), 0, speed * cyclone::real_sin(from));
     weather = Weather(seed, windFrom, settings.at(GUSTS), settings.at(LIFT));
     scene.fixtures = makeClouds(weather.getClouds());
-    log = Log();
+    log = FlightLog(RULES);
 }
 
 void Soaring::launch() {
@@ -101,7 +101,7 @@ void Soaring::launch() {
     lastLeg = pilot.getLeg();
     lastEnergyHeight = glider.getEnergyHeight();
     vario = 0;
-    airborne = true;
+    log.launch(true);
 }
 
 void Soaring::steer() {
@@ -124,15 +124,13 @@ void Soaring::beforeStep() {
     wanted.brakes = getControl(BRAKES);
     glider.setControls(wanted);
     weather.advance(glider.getVelocityThroughAir(), getHeight(), profile.step);
-    lastPosition = glider.getBody().getPosition();
-    lastVelocity = glider.getBody().getVelocity();
+    log.noteBeforeStep(glider.getBody());
 }
 
 void Soaring::afterStep() {
-    log.distance += (glider.getBody().getPosition() - lastPosition).magnitude();
-    log.highest = std::max(log.highest, getHeight());
     readVario();
-    watchTheGround();
+    const auto news = log.watchAfterStep(glider.getBody(), glider.isOnGround(), glider.getBrokenPart());
+    if (news) news->isCrash ? wreckBy(news->text) : tell(news->text);
 }
 
 /// What the air gives: the change of the energy height, with an instrument's delay.
@@ -140,29 +138,6 @@ void Soaring::readVario() {
     const real energyHeight = glider.getEnergyHeight();
     vario += ((energyHeight - lastEnergyHeight) / profile.step - vario) * profile.step / VARIO_MEMORY;
     lastEnergyHeight = energyHeight;
-}
-
-void Soaring::watchTheGround() {
-    const RigidBody &body = glider.getBody();
-    const real sinkRate = -lastVelocity.y;
-    const bool touches = glider.isOnGround();
-    const std::string broken = glider.getBrokenPart();
-    if (body.hasFaulted() || !broken.empty()) return crash(describeCrash(broken, body, lastVelocity));
-    if (airborne && touches) {
-        if (sinkRate > HARDEST_TOUCH_DOWN)
-            return crash("crashed: touched down at " + fixed(sinkRate, 1) + " m/s");
-        airborne = false;
-        const Landing landing = measureLanding(body, lastVelocity, RUNWAY);
-        log.landings.add(landing);
-        tell("touched down at " + describe(landing, WORST_LANDING));
-    } else if (!airborne && getHeight() > 3) {
-        airborne = true;
-    }
-}
-
-void Soaring::crash(const std::string &how) {
-    ++log.crashes;
-    wreckBy(how);
 }
 
 std::vector<Pose> Soaring::getPoses() const {
@@ -192,10 +167,9 @@ std::string Soaring::getHeadUpLine() const {
 }
 
 std::string Soaring::getSummary() const {
-    return "Flown: " + fixed(log.distance / 1000, 1) + " km in " + fixed(getTime(), 0) + " s, up to " +
-           fixed(log.highest, 0) + " m high; released at " + fixed(RELEASE_HEIGHT, 0) + " m, " +
-           fixed(pilot.getHeightGained(), 0) + " m gained in thermals\n" + log.landings.getSummary() +
-           "\nCrashes: " + std::to_string(log.crashes);
+    return "Flown: " + fixed(log.getDistance() / 1000, 1) + " km in " + fixed(getTime(), 0) + " s, up to " +
+           fixed(log.getHighest(), 0) + " m high; released at " + fixed(RELEASE_HEIGHT, 0) + " m, " +
+           fixed(pilot.getHeightGained(), 0) + " m gained in thermals\n" + log.getSummary();
 }
 
 }  // namespace flightsim

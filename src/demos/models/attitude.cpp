@@ -1,18 +1,17 @@
 #include "models/attitude.h"
 
+#include "base/angle.h"
+
 namespace demo {
 
 using cyclone::real_atan2;
 using cyclone::Vector3;
 
-real headingOf(const RigidBody &body) {
-    const Vector3 nose = body.getTransform().getAxisVector(0);
-    return real_atan2(nose.z, nose.x);
-}
+real headingOf(const RigidBody &body) { return bearing(body.getTransform().getAxisVector(0)); }
 
 real pitchOf(const RigidBody &body) {
     const Vector3 nose = body.getTransform().getAxisVector(0);
-    return real_atan2(nose.y, cyclone::real_sqrt(nose.x * nose.x + nose.z * nose.z));
+    return real_atan2(nose.y, horizontalLength(nose));
 }
 
 real bankOf(const RigidBody &body) {

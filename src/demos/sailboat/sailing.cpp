@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 
+#include "base/angle.h"
 #include "base/text.h"
 #include "models/sea.h"
 #include "picture/solids.h"
@@ -172,7 +173,7 @@ void Sailing::applyControls() {
 
 void Sailing::keepLog() {
     const Vector3 velocity = boat.getBody().getVelocity();
-    log.distance += Vector3(velocity.x, 0, velocity.z).magnitude() * profile.step;
+    log.distance += horizontalLength(velocity) * profile.step;
     log.topSpeed = std::max(log.topSpeed, boat.getSpeed());
     log.mostHeel = std::max(log.mostHeel, std::fabs(boat.getHeel()));
     if (skipper.isFinished() && lapEnd == lapStart) {

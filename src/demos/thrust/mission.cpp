@@ -83,6 +83,7 @@ void Mission::fillProfile() {
     };
     profile.title = level.name;
     profile.kind = "thrust";
+    profile.wreckMoves = true;
     profile.duration = 240;
 }
 
@@ -101,8 +102,7 @@ void Mission::launch() {
                 level.gravity);
     pilot.startOver(ship);
     fuel = level.fuel;
-    outcome = Outcome::OPEN;
-    ending.clear();
+    fetched = false;
 }
 
 void Mission::steer() {
@@ -135,7 +135,7 @@ void Mission::burn() {
 }
 
 void Mission::afterStep() {
-    if (outcome != Outcome::OPEN) return;
+    if (isDecided()) return;
     topSpeed = std::max(topSpeed, ship.getBody().getVelocity().magnitude());
     const Outlines now = getOutlines();
     destroyIfTouching("ship", outlines.ship, now.ship);
@@ -149,7 +149,7 @@ void Mission::afterStep() {
 
 void Mission::hookIfReached() {
     const Vector3 way = ship.getRodEnd() - ship.getBody().getPosition();
-    if (outcome != Outcome::OPEN || ship.isHooked() || way.magnitude() > HOOK_REACH) return;
+    if (isDecided() || ship.isHooked() || way.magnitude() > HOOK_REACH) return;
     ship.hook();
     tell("the pod is on the rod: carry it out");
 }
@@ -163,25 +163,22 @@ void Mission::destroyIfTouching(const char *part, const std::vector<Vector3> &be
                                 const std::vector<Vector3> &after) {
     std::vector<Corner> corners;
     for (std::size_t n = 0; n < before.size(); ++n) corners.push_back({before[n], after[n]});
-    if (outcome != Outcome::OPEN || !findTouch(corners, level.walls)) return;
+    if (isDecided() || !findTouch(corners, level.walls)) return;
     destroy(std::string("the ") + part + " touched rock at " +
             fixed(ship.getBody().getVelocity().magnitude(), 1) + " m/s");
 }
 
 void Mission::destroy(const std::string &why) {
-    outcome = Outcome::DESTROYED;
-    ending = "Destroyed: " + why;
-    tell("destroyed: " + why + "; R to try again");
+    wreckBy("destroyed: " + why);
     ship.breakUp();
 }
 
 void Mission::watchTheSky() {
-    if (outcome != Outcome::OPEN) return;
+    if (isDecided()) return;
     const Vector3 place = ship.getBody().getPosition();
     const real top = level.height;
     if (ship.isHooked() && place.y > top && ship.getPod().getPosition().y > top) {
-        outcome = Outcome::FETCHED;
-        ending = "Fetched the pod";
+        fetched = true;
         tell("the pod is out: well flown");
     } else if (place.x < -FARTHEST || place.x > level.width + FARTHEST || place.y > top + FARTHEST) {
         destroy("lost in space");
@@ -198,8 +195,7 @@ std::vector<Arrow> Mission::getArrows() const {
 }
 
 std::string Mission::getHeadUpLine() const {
-    if (outcome == Outcome::DESTROYED) return ending + ": R to try again";
-    if (outcome == Outcome::FETCHED) return "The pod is out: R to fly again";
+    if (fetched) return "The pod is out: R to fly again";
     const cyclone::RigidBody &body = ship.getBody();
     const Vector3 way = ship.getRodEnd() - body.getPosition();
     const std::string task =
@@ -211,9 +207,12 @@ std::string Mission::getHeadUpLine() const {
 }
 
 std::string Mission::getSummary() const {
-    return level.name + ": " + (ending.empty() ? "not at an end" : ending) +
-           "\nTime: " + fixed(getTime(), 1) + " s\nFuel left: " + fixed(100 * fuel / level.fuel, 0) +
-           " %\nTop speed: " + fixed(topSpeed, 1) + " m/s";
+    const std::string ending = fetched              ? "fetched the pod"
+                               : getWreck().empty() ? "not at an end"
+                                                    : getWreck();
+    return level.name + ": " + ending + "\nTime: " + fixed(getTime(), 1) +
+           " s\nFuel left: " + fixed(100 * fuel / level.fuel, 0) + " %\nTop speed: " + fixed(topSpeed, 1) +
+           " m/s";
 }
 
 }  // namespace thrust
