@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "base/angle.h"
 #include "base/text.h"
 #include "flightsim/aircraft_parts.h"
 #include "flightsim/glider_parts.h"
@@ -58,7 +59,8 @@ void Soaring::fillProfile() {
                     "X        centre them all",
                     "+ -      airbrakes out, in",
                     "",
-                    "Under each cloud the air rises. When VARIO is",
+                    "Under each cloud the air rises: the nearest CLOUD,",
+                    "m away/degrees to Port or Starboard. When VARIO is",
                     "positive, circle: A or D, then E or Q with it.",
                     "Glide at 25 m/s; below 18 she stalls."};
     const auto airspeed = [this] { return glider.getAirspeed(); };
@@ -158,11 +160,24 @@ std::vector<Arrow> Soaring::getArrows() const {
     return arrows;
 }
 
+/// Where the nearest cloud is, and the airfield.
+std::string Soaring::getGoals() const {
+    const RigidBody &body = glider.getBody();
+    const std::vector<Vector3> &clouds = weather.getClouds();
+    const auto nearest =
+        std::min_element(clouds.begin(), clouds.end(), [&](const Vector3 &a, const Vector3 &b) {
+            return horizontalLength(a - body.getPosition()) < horizontalLength(b - body.getPosition());
+        });
+    return (nearest == clouds.end() ? "" : "  CLOUD " + whereabouts(body, *nearest)) + "  FIELD " +
+           whereabouts(body, Vector3());
+}
+
 std::string Soaring::getHeadUpLine() const {
     const RigidBody &body = glider.getBody();
     return "ALT " + fixed(std::max(getHeight(), 0.0), 0) + "  SPD " + fixed(glider.getAirspeed(), 1) +
-           "  VARIO " + signedFixed(vario, 1) + "  BANK " + signedFixed(bankOf(body) / DEGREE, 0) + "  HDG " +
-           compassText(headingOf(body)) + "  SLIP " + signedFixed(glider.getSlip() / DEGREE, 0) + "  BRK " +
+           "  VARIO " + signedFixed(vario, 1) + getGoals() + "  BANK " +
+           signedFixed(bankOf(body) / DEGREE, 0) + "  HDG " + compassText(headingOf(body)) + "  SLIP " +
+           signedFixed(glider.getSlip() / DEGREE, 0) + "  BRK " +
            fixed(glider.getControls().brakes * 100, 0) + "%" + (glider.isStalled() ? "  STALL" : "");
 }
 

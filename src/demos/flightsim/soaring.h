@@ -42,6 +42,7 @@ protected:
 private:
     void fillProfile();
     void readVario();
+    std::string getGoals() const;
     real getHeight() const { return log.getHeight(glider.getBody()); }
 
     Weather weather;

@@ -1,6 +1,7 @@
 #include "models/attitude.h"
 
 #include "base/angle.h"
+#include "base/text.h"
 
 namespace demo {
 
@@ -16,6 +17,11 @@ real pitchOf(const RigidBody &body) {
 
 real bankOf(const RigidBody &body) {
     return real_atan2(-body.getTransform().getAxisVector(2).y, body.getTransform().getAxisVector(1).y);
+}
+
+std::string whereabouts(const RigidBody &body, const Vector3 &place) {
+    const Vector3 way = place - body.getPosition();
+    return fixed(horizontalLength(way), 0) + "/" + sided(wrapAngle(bearing(way) - headingOf(body)));
 }
 
 }  // namespace demo

@@ -99,7 +99,9 @@ void Stage::draw(Canvas &canvas, int columns, int rows, const Frame &frame, real
     const Vector3 middle = frame.poses.front().position + Vector3::UP * scene.cameras.windHeight;
     const Vector3 wind = -frame.windspeed * (WIND_SCALE * scene.cameras.distance);
     const bool isDark = scene.surroundings.terrain == Terrain::SPACE;
-    canvas.draw(Arrow{"wind", middle - wind * 0.5, wind, isDark ? WIND_IN_SPACE : WIND});
+    const Arrow arrow{"wind", middle - wind * 0.5, wind, isDark ? WIND_IN_SPACE : WIND};
+    canvas.draw(arrow);
+    if (wind != Vector3()) canvas.label(arrow);
 }
 
 /// Shadows first, and last what one sees through.

@@ -6,6 +6,7 @@
 
 #include "base/angle.h"
 #include "base/text.h"
+#include "models/attitude.h"
 #include "models/sea.h"
 #include "picture/solids.h"
 #include "sailboat/boat_parts.h"
@@ -247,8 +248,7 @@ std::string Sailing::getAdvice() const {
 std::string Sailing::getCourse() const {
     const Skipper::Mark *mark = skipper.getNextMark();
     if (!mark) return "";
-    const Vector3 position = boat.getBody().getPosition(), way(mark->x - position.x, 0, mark->z - position.z);
-    return "  MARK " + fixed(way.magnitude(), 0) + "/" + sided(wrapAngle(bearing(way) - boat.getHeading()));
+    return "  MARK " + whereabouts(boat.getBody(), Vector3(mark->x, 0, mark->z));
 }
 
 std::string Sailing::getHeadUpLine() const {

@@ -70,9 +70,9 @@ struct Profile {
     std::vector<std::string> help;  ///< lines about its own keys, for the help box
     std::vector<Quantity> quantities;
     Archive archive{};
-    bool wreckMoves = false;  ///< it drifts, or flies apart; else it stays where it is
-    real step = 1.0 / 120;    ///< s, of the simulation
-    real duration = 60;       ///< s, the longest run without a terminal when nobody says
+    real wreckMotion = 0;   ///< s: so long a wreck drifts or flies apart; then it stays where it is
+    real step = 1.0 / 120;  ///< s, of the simulation
+    real duration = 60;     ///< s, the longest run without a terminal when nobody says
 };
 
 /// A world and what happens in it. The same seed, settings and controls at the same steps give the same run,

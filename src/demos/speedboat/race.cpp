@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "base/angle.h"
 #include "base/text.h"
@@ -98,7 +99,7 @@ void Race::fillProfile() {
     profile.title =
         hull == Hull::FOILS ? "A hydrofoil on a course of buoys" : "A speedboat on a course of buoys";
     profile.kind = "motorboat";
-    profile.wreckMoves = true;
+    profile.wreckMotion = std::numeric_limits<real>::infinity();
     profile.duration = 180;
 }
 
@@ -245,10 +246,8 @@ std::vector<Arrow> Race::getArrows() const {
 /// Which buoy is next, where it is off the bow, and on which hand to leave it.
 std::string Race::getTask() const {
     const Buoy &buoy = course.getNextBuoy();
-    const Vector3 way = buoy.getPlace() - boat.getBody().getPosition();
-    const real off = wrapAngle(bearing(way) - headingOf(boat.getBody()));
-    return "BUOY " + std::to_string(course.getNext() + 1) + " " + fixed(horizontalLength(way), 0) + "/" +
-           sided(off) + (buoy.toPort ? " to port" : " to starboard");
+    return "BUOY " + std::to_string(course.getNext() + 1) + " " +
+           whereabouts(boat.getBody(), buoy.getPlace()) + (buoy.toPort ? " to port" : " to starboard");
 }
 
 std::string Race::getHeadUpLine() const {

@@ -15,6 +15,7 @@ constexpr real GUST_MEMORY = 3;    // s
 constexpr real START_SCATTER = 1;  // m
 constexpr real POD_STAND = 0.15;   // m, between the pod and the rock below it
 constexpr real FARTHEST = 60;      // m beyond the map
+constexpr real WRECK_MOTION = 1;   // s: the parts fly, but not through the rock
 constexpr real NEWTONS_PER_METRE = 1200;
 constexpr Colour PUSH{255, 190, 60}, ROD_FORCE{120, 235, 140};
 
@@ -63,7 +64,8 @@ void Mission::fillProfile() {
         "W S   more thrust, less",
         "X     engine off",
         "",
-        "Fly to the ring above the pod: it hooks the rod.",
+        "Fly to the ring above the pod, where the green",
+        "pointer points: it hooks the rod.",
         "Carry the pod out above the rock. Slowly: it swings.",
         "Touch nothing, neither with ship nor rod nor pod.",
     };
@@ -83,7 +85,7 @@ void Mission::fillProfile() {
     };
     profile.title = level.name;
     profile.kind = "thrust";
-    profile.wreckMoves = true;
+    profile.wreckMotion = WRECK_MOTION;
     profile.duration = 240;
 }
 

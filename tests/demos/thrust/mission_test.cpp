@@ -160,8 +160,11 @@ TEST(ThrustMission, TheShipIsDestroyedWhenItTouchesRock) {
     EXPECT_EQ(mission.getWreck(), "destroyed: the ship touched rock at 2.4 m/s");
     EXPECT_TRUE(wasTold(mission, mission.getWreck()));
     EXPECT_TRUE(mission.getShip().isBroken());
-    for (int n = 0; n < 60; ++n) mission.step();
-    EXPECT_NE(mission.getShip().getWreck(0).getPosition(), mission.getShip().getWreck(1).getPosition());
+    for (int n = 0; n < 120; ++n) mission.step();
+    const Vector3 hull = mission.getShip().getWreck(0).getPosition();
+    EXPECT_NE(hull, mission.getShip().getWreck(1).getPosition()) << "they fly apart";
+    mission.step();
+    EXPECT_EQ(mission.getShip().getWreck(0).getPosition(), hull) << "and stay";
     mission.startOver();
     EXPECT_EQ(mission.getWreck(), "");
     EXPECT_FALSE(mission.getShip().isBroken());
@@ -250,6 +253,26 @@ TEST(ThrustMission, IsDoneWhenShipAndPodAreAboveTheRock) {
     mission.step();
     EXPECT_TRUE(mission.isOver());
     EXPECT_NE(mission.getSummary().find("fetched the pod"), std::string::npos);
+}
+
+TEST(ThrustMission, APointerShowsTheWayToTheRingAndThenToTheSky) {
+    Mission mission(thrust::readLevel(HALL));
+    const Vector3 ring = begun(mission).getShip().getRodEnd();
+    const auto getPointer = [&mission] {
+        const demo::Pose pose = mission.getFrame().poses.back();
+        EXPECT_NEAR((pose.orientation.rotate(Vector3::X) * 2.8 -
+                     (pose.position - mission.getShip().getBody().getPosition()))
+                        .magnitude(),
+                    0, 1e-9)
+            << "it points away from the ship";
+        return pose.orientation.rotate(Vector3::X);
+    };
+    throwFrom(mission, ring + Vector3(-6, 8, 0), Vector3());
+    EXPECT_NEAR((getPointer() - Vector3(0.6, -0.8, 0)).magnitude(), 0, 1e-9);
+    throwFrom(mission, ring, Vector3());
+    mission.step();
+    ASSERT_TRUE(mission.getShip().isHooked());
+    EXPECT_NEAR((getPointer() - Vector3::UP).magnitude(), 0, 1e-9);
 }
 
 TEST(ThrustMission, FarOutsideTheShipIsLost) {
