@@ -86,8 +86,6 @@ Quaternion towards(const Vector3 &direction) {
 
 }  // namespace
 
-const Pose NOWHERE{Vector3(0, -3000, 0), Quaternion()};
-
 Part makeAircraftPart(const Model &model) {
     const Livery livery = liveryOf(model);
     return makeAirframe(model.name, model.span, livery.main, livery.trim, GLASS);

@@ -10,9 +10,6 @@ namespace airrace {
 using demo::Part;
 using demo::Pose;
 
-/// What is put where it is not seen: under the ground.
-extern const Pose NOWHERE;
-
 /// One part for the whole of it: span and colours are the aircraft's own.
 Part makeAircraftPart(const Model &model);
 Part makeGhostPart(const Model &model);

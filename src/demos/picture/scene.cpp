@@ -14,6 +14,8 @@ real frequencyOf(const cyclone::Waves::Train &train) {
 
 Vector3 mix(const Vector3 &a, const Vector3 &b, real share) { return a + (b - a) * share; }
 
+const Pose NOWHERE{Vector3(0, -3000, 0), Quaternion()};
+
 Frame interpolated(const Frame &a, const Frame &b, real share) {
     if (b.cut || a.poses.size() != b.poses.size() || a.arrows.size() != b.arrows.size()) return b;
     Frame frame = b;

@@ -6,6 +6,12 @@
 
 namespace demo {
 
+namespace {
+
+constexpr Colour POINTER{255, 236, 110};
+
+}  // namespace
+
 void addFace(Part &part, const std::vector<Vector3> &corners, Colour colour) {
     part.faces.push_back({corners, colour});
 }
@@ -71,6 +77,16 @@ Part makeBuoy(const std::string &name, Colour colour) {
         return corners;
     };
     addLoft(part, {ring(-0.3, 0.8), ring(0.5, 0.8), ring(2.2, 0.1)}, colour);
+    return part;
+}
+
+Part makeBuoyPointer(const std::string &name) {
+    Part part;
+    part.name = name;
+    const auto ring = [](real y, real radius) -> std::vector<Vector3> {
+        return {{radius, y, 0}, {0, y, -radius}, {-radius, y, 0}, {0, y, radius}};
+    };
+    addLoft(part, {ring(3, 0.05), ring(4.4, 0.9)}, POINTER);
     return part;
 }
 

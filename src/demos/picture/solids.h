@@ -24,6 +24,9 @@ std::vector<Vector3> ringAcrossX(const Vector3 &middle, real halfHeight, real ha
 /// A conical buoy, 2 m high; its origin is at the waterline.
 Part makeBuoy(const std::string &name, Colour colour);
 
+/// An arrowhead that hangs over a buoy.
+Part makeBuoyPointer(const std::string &name);
+
 /// Appends a flat face; counter-clockwise seen from its front.
 void addFace(Part &part, const std::vector<Vector3> &corners, Colour colour);
 

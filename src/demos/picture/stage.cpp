@@ -68,7 +68,10 @@ Camera Stage::aim(const Frame &frame, real elapsed) {
         }
         case Viewpoint::SPECTATOR: {
             camera.eye = cameras.spectator;
-            if (cameras.spectatorFollows) camera.eye += Vector3(body.position.x, 0, body.position.z);
+            if (cameras.spectatorFollows) {
+                camera.eye += Vector3(body.position.x, 0, body.position.z);
+                camera.eye.y = std::max(camera.eye.y, body.position.y);
+            }
             // A spectator who is far off looks through glasses that make up for part of the distance.
             const real away = std::max((camera.target - camera.eye).magnitude() / cameras.distance, 1.0);
             camera.fieldOfView = std::clamp(FIELD_OF_VIEW / zoom / std::pow(away, 0.8), 0.02, 1.6);

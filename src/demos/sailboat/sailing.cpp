@@ -37,6 +37,7 @@ Scene makeScene() {
     scene.bodies = {{makeBoatParts(), true, false}};
     for (std::size_t n = 0; n < MARKS.size(); ++n)
         scene.bodies.push_back({{makeBuoy(MARKS[n].name + " mark", MARK_COLOURS[n])}, false, false});
+    scene.bodies.push_back({{makeBuoyPointer("next mark")}, false, false});
     scene.newtonsPerMetre = NEWTONS_PER_METRE;
     scene.cameras.spectator = Vector3(-16, 4, 20);
     scene.cameras.spectatorFollows = true;
@@ -212,10 +213,13 @@ void Sailing::rightIfCapsized() {
 
 std::vector<Pose> Sailing::getPoses() const {
     std::vector<Pose> poses = getBoatPoses(boat);
-    for (const Skipper::Mark &mark : MARKS) {
+    const auto afloat = [this](const Skipper::Mark &mark) {
         const Vector3 place(mark.x, 0, mark.z);
-        poses.push_back({place + Vector3::UP * sea.getHeight(place), Quaternion()});
-    }
+        return Pose{place + Vector3::UP * sea.getHeight(place), Quaternion()};
+    };
+    for (const Skipper::Mark &mark : MARKS) poses.push_back(afloat(mark));
+    const Skipper::Mark *next = skipper.getNextMark();
+    poses.push_back(next ? afloat(*next) : NOWHERE);
     return poses;
 }
 

@@ -111,7 +111,7 @@ Scene Race::makeScene() const {
     for (std::size_t n = 0; n < BUOYS.size(); ++n)
         made.bodies.push_back(
             {{makeBuoy(nameOf(n), BUOYS[n].toPort ? TO_PORT : TO_STARBOARD)}, false, false});
-    made.bodies.push_back({{makePointer()}, false, false});
+    made.bodies.push_back({{makeBuoyPointer("next buoy")}, false, false});
     made.newtonsPerMetre = NEWTONS_PER_METRE;
     made.cameras.spectator = Vector3(-10, 4, 14);
     made.cameras.spectatorFollows = true;

@@ -101,7 +101,7 @@ Quaternion towards(const Vector3 &direction) {
 Pose posePointer(const Ship &ship) {
     const Vector3 &place = ship.getBody().getPosition();
     const Vector3 way = ship.isHooked() ? Vector3::UP : (ship.getRodEnd() - place).unit();
-    if (ship.isBroken()) return {Vector3(0, -3000, 0), Quaternion()};
+    if (ship.isBroken()) return NOWHERE;
     return {place + way * POINTER_AWAY, towards(way)};
 }
 
