@@ -1,5 +1,7 @@
 #include "airrace/aircraft.h"
 
+#include "base/angle.h"
+
 namespace airrace {
 
 using cyclone::AngledAero;
@@ -62,7 +64,7 @@ Vector3 Aircraft::getVelocityThroughAir() const {
 
 real Aircraft::getClimbAngle() const {
     const Vector3 v = body->getVelocity();
-    return cyclone::real_atan2(v.y, cyclone::real_sqrt(v.x * v.x + v.z * v.z));
+    return cyclone::real_atan2(v.y, demo::horizontalLength(v));
 }
 
 bool Aircraft::touchesGround() const {

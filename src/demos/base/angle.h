@@ -1,6 +1,6 @@
 #pragma once
 
-/// Angles that go round.
+/// Angles that go round, and lengths over the ground.
 #include <cyclone/core.h>
 
 #include <cmath>
@@ -19,5 +19,8 @@ inline real wrapAngle(real angle) {
 inline real bearing(const cyclone::Vector3 &worldDirection) {
     return cyclone::real_atan2(worldDirection.z, worldDirection.x);
 }
+
+/// The length of a vector's part along the ground, as of a speed over it.
+inline real horizontalLength(const cyclone::Vector3 &v) { return cyclone::real_sqrt(v.x * v.x + v.z * v.z); }
 
 }  // namespace demo

@@ -2,9 +2,9 @@
 
 #include <algorithm>
 
+#include "base/angle.h"
 #include "base/text.h"
 #include "flightsim/aircraft_parts.h"
-#include "models/hull.h"
 #include "picture/windsock.h"
 
 namespace flightsim {
@@ -17,7 +17,8 @@ constexpr real NEWTONS_PER_METRE = 10;  // of the force arrows
 constexpr Colour LIFT{255, 214, 64}, THRUST{255, 120, 90};
 const char *const SURFACE_NAMES[] = {"port wing", "starboard wing", "tailplane", "rudder"};
 
-real horizontalLength(const Vector3 &v) { return cyclone::real_sqrt(v.x * v.x + v.z * v.z); }
+const FlightLog::Rules RULES{
+    Aircraft::WHEEL_HEIGHT, 0.5, 2, {12, 88}, {1.2, 35, 4, 12 * DEGREE, 15 * DEGREE}};
 
 Scene makeScene() {
     Scene scene;
@@ -33,9 +34,7 @@ Scene makeScene() {
 
 }  // namespace
 
-const Landing Flight::WORST_LANDING{1.2, 35, 4, 12 * DEGREE, 15 * DEGREE};
-
-Flight::Flight() : aircraft(world, wind.getAddress()) {
+Flight::Flight() : aircraft(world, wind.getAddress()), log(RULES) {
     fillProfile();
     scene = makeScene();
     begin(1);
@@ -90,14 +89,14 @@ void Flight::prepare(std::uint64_t seed, const std::vector<real> &settings) {
     const real from = settings.at(WIND_DIRECTION) * DEGREE, speed = settings.at(WIND_SPEED);
     wind = Wind(Vector3(speed * cyclone::real_cos(from), 0, speed * cyclone::real_sin(from)),
                 settings.at(GUSTS), GUST_MEMORY, profile.step, seed);
-    log = Log();
+    log = FlightLog(RULES);
 }
 
 void Flight::launch() {
     aircraft.park(Vector3());
     pilot = Pilot();
     lastLeg = pilot.getLeg();
-    airborne = false;
+    log.launch(false);
 }
 
 void Flight::steer() {
@@ -124,42 +123,13 @@ void Flight::beforeStep() {
     sticks.throttle = getControl(THROTTLE);
     aircraft.setControls(sticks);
     propellerAngle += (4 + 18 * sticks.throttle) * profile.step;
-    lastPosition = aircraft.getBody().getPosition();
-    lastVelocity = aircraft.getBody().getVelocity();
+    log.noteBeforeStep(aircraft.getBody());
 }
 
 void Flight::afterStep() {
-    log.distance += (aircraft.getBody().getPosition() - lastPosition).magnitude();
-    log.highest = std::max(log.highest, getHeight());
-    watchTheGround();
+    const auto news = log.watchAfterStep(aircraft.getBody(), aircraft.isOnGround(), aircraft.getBrokenPart());
+    if (news) news->isCrash ? wreckBy(news->text) : tell(news->text);
 }
-
-void Flight::watchTheGround() {
-    const RigidBody &body = aircraft.getBody();
-    const real sinkRate = -lastVelocity.y;
-    const bool touches = aircraft.isOnGround();
-    const std::string broken = aircraft.getBrokenPart();
-    if (body.hasFaulted() || !broken.empty()) return crash(describeCrash(broken, body, lastVelocity));
-    if (touches && sinkRate > HARDEST_TOUCH_DOWN)
-        return crash("crashed: touched down at " + fixed(sinkRate, 1) + " m/s");
-    if (!airborne && !touches && aircraft.getBody().getPosition().y > Aircraft::WHEEL_HEIGHT + 0.5) {
-        airborne = true;
-        tell("took off");
-    } else if (airborne && touches) {
-        airborne = false;
-        const Landing landing = measureLanding(body, lastVelocity, RUNWAY);
-        const std::string how = describe(landing, WORST_LANDING);
-        log.landings.add(how, judge(landing, WORST_LANDING));
-        tell("touched down at " + how);
-    }
-}
-
-void Flight::crash(const std::string &how) {
-    ++log.crashes;
-    wreckBy(how);
-}
-
-real Flight::getHeight() const { return aircraft.getBody().getPosition().y - Aircraft::WHEEL_HEIGHT; }
 
 std::vector<Pose> Flight::getPoses() const {
     std::vector<Pose> poses = poseAircraft(aircraft, propellerAngle);
@@ -188,13 +158,12 @@ std::string Flight::getHeadUpLine() const {
            signedFixed(body.getVelocity().y, 1) + "  HDG " + compassText(aircraft.getHeading()) + "  THR " +
            fixed(sticks.throttle * 100, 0) + "%  PIT " + signedFixed(sticks.pitch, 1) + " ROL " +
            signedFixed(sticks.roll, 1) + " RUD " + signedFixed(sticks.rudder, 1) + "  WIND " +
-           fixed(air.magnitude(), 1) + "/" + compassText(cyclone::real_atan2(air.z, air.x));
+           fixed(air.magnitude(), 1) + "/" + compassText(bearing(air));
 }
 
 std::string Flight::getSummary() const {
-    return "Flown: " + fixed(log.distance, 0) + " m in " + fixed(getTime(), 1) + " s, up to " +
-           fixed(log.highest, 1) + " m high\n" + log.landings.getSummary() +
-           "\nCrashes: " + std::to_string(log.crashes);
+    return "Flown: " + fixed(log.getDistance(), 0) + " m in " + fixed(getTime(), 1) + " s, up to " +
+           fixed(log.getHighest(), 1) + " m high\n" + log.getSummary();
 }
 
 }  // namespace flightsim

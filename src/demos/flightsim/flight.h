@@ -2,7 +2,7 @@
 
 /// The demonstration that flies: the aircraft, an airfield, wind and a pilot.
 #include "base/random.h"
-#include "flightsim/landing.h"
+#include "flightsim/flightlog.h"
 #include "flightsim/pilot.h"
 #include "shell/demo.h"
 
@@ -10,11 +10,8 @@ namespace flightsim {
 
 class Flight : public Demonstration {
 public:
-    enum { PITCH, ROLL, RUDDER, THROTTLE };        ///< the controls
-    enum { WIND_SPEED, WIND_DIRECTION, GUSTS };    ///< the settings
-    static constexpr real HARDEST_TOUCH_DOWN = 2;  ///< m/s downwards: what is harder is a crash
-    static constexpr Runway RUNWAY{12, 88};        ///< m: what one aims at
-    static const Landing WORST_LANDING;            ///< that is still fair
+    enum { PITCH, ROLL, RUDDER, THROTTLE };      ///< the controls
+    enum { WIND_SPEED, WIND_DIRECTION, GUSTS };  ///< the settings
 
     Flight();
 
@@ -42,26 +39,15 @@ protected:
     Vector3 getWindspeed() const override { return wind.getWindspeed(); }
 
 private:
-    /// For the summary.
-    struct Log {
-        LandingLog landings;
-        unsigned crashes = 0;
-        real highest = 0, distance = 0;
-    };
-
     void fillProfile();
-    void watchTheGround();
-    void crash(const std::string &how);
-    real getHeight() const;
+    real getHeight() const { return log.getHeight(aircraft.getBody()); }
 
     Wind wind;
     Aircraft aircraft;
     Pilot pilot;
     Pilot::Leg lastLeg = Pilot::Leg::WATCH;
-    Vector3 lastPosition, lastVelocity;  ///< before the step
     real propellerAngle = 0;
-    bool airborne = false;
-    Log log;
+    FlightLog log;
 };
 
 }  // namespace flightsim

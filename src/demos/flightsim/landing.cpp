@@ -15,7 +15,7 @@ Landing measureLanding(const RigidBody &body, const Vector3 &velocity, const Run
     landing.beyondAim = velocity.x < 0 ? runway.oppositeAim - position.x : position.x - runway.aim;
     landing.offLine = std::fabs(position.z);
     landing.bank = std::fabs(bankOf(body));
-    landing.drift = std::fabs(wrapAngle(headingOf(body) - cyclone::real_atan2(velocity.z, velocity.x)));
+    landing.drift = std::fabs(wrapAngle(headingOf(body) - bearing(velocity)));
     return landing;
 }
 

@@ -35,10 +35,7 @@ real stickScale(const Aircraft &aircraft) {
     return speed > Aircraft::LEVEL_SPEED ? Aircraft::LEVEL_SPEED / speed : 1;
 }
 
-real groundSpeed(const Aircraft &aircraft) {
-    const Vector3 velocity = aircraft.getBody().getVelocity();
-    return cyclone::real_sqrt(velocity.x * velocity.x + velocity.z * velocity.z);
-}
+real groundSpeed(const Aircraft &aircraft) { return horizontalLength(aircraft.getBody().getVelocity()); }
 
 /// rad: from how far to the side the air may come on the ground before it tips the aircraft over. The
 /// surfaces' force to the side grows with the square of the airspeed; against it stands the weight that is
@@ -188,8 +185,7 @@ real Pilot::getGusts() const {
 /// Banks until the track over the ground has the given course and the distance to starboard of it is gone.
 void Pilot::follow(const Aircraft &aircraft, real course, real offTrack) {
     const RigidBody &body = aircraft.getBody();
-    const Vector3 velocity = body.getVelocity();
-    const real track = cyclone::real_atan2(velocity.z, velocity.x);
+    const real track = bearing(body.getVelocity());
     const real wanted = course - real_clamp(0.03 * offTrack, -0.6, 0.6);
     const real maxBank = real_clamp(0.1 * heightOf(aircraft), 0, MAX_BANK);  // it lands wings level
     const real bank = real_clamp(0.9 * wrapAngle(wanted - track), -maxBank, maxBank);

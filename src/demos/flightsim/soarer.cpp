@@ -8,7 +8,6 @@ namespace flightsim {
 
 using cyclone::real_clamp;
 using cyclone::REAL_PI;
-using cyclone::real_sqrt;
 
 namespace {
 
@@ -26,16 +25,11 @@ constexpr real DOWNWIND_Z = -320, BASE_X = -450, AIM_X = -50;  // m
 constexpr real CIRCUIT_HEIGHT = 140, FLARE_HEIGHT = 5;         // m
 constexpr real GLIDE_SLOPE = 0.11;
 
-real groundSpeed(const Glider &glider) {
-    const Vector3 velocity = glider.getBody().getVelocity();
-    return real_sqrt(velocity.x * velocity.x + velocity.z * velocity.z);
-}
+real groundSpeed(const Glider &glider) { return horizontalLength(glider.getBody().getVelocity()); }
 
 real heightOf(const Glider &glider) { return glider.getBody().getPosition().y - Glider::WHEEL_HEIGHT; }
 
-real horizontalDistance(const Vector3 &a, const Vector3 &b) {
-    return real_sqrt((a.x - b.x) * (a.x - b.x) + (a.z - b.z) * (a.z - b.z));
-}
+real horizontalDistance(const Vector3 &a, const Vector3 &b) { return horizontalLength(a - b); }
 
 }  // namespace
 
@@ -157,14 +151,12 @@ void Soarer::bankTo(const Glider &glider, real bank) {
 }
 
 void Soarer::steerTowards(const Glider &glider, const Vector3 &target) {
-    const Vector3 way = target - glider.getBody().getPosition();
-    follow(glider, cyclone::real_atan2(way.z, way.x), 0);
+    follow(glider, bearing(target - glider.getBody().getPosition()), 0);
 }
 
 /// Banks until the track over the ground has the course and the distance to starboard of it is gone.
 void Soarer::follow(const Glider &glider, real course, real offTrack) {
-    const Vector3 velocity = glider.getBody().getVelocity();
-    const real track = cyclone::real_atan2(velocity.z, velocity.x);
+    const real track = bearing(glider.getBody().getVelocity());
     const real wanted = course - real_clamp(0.008 * offTrack, -0.6, 0.6);
     const real most = std::min(0.04 * heightOf(glider), MAX_BANK);  // she lands with level wings
     bankTo(glider, real_clamp(1.4 * wrapAngle(wanted - track), -most, most));
@@ -173,14 +165,14 @@ void Soarer::follow(const Glider &glider, real course, real offTrack) {
 /// Round the place where he takes the lift to be best, which he shifts to the side of the circle on which the
 /// variometer shows more than its average.
 void Soarer::circle(const Glider &glider, real duration) {
-    const Vector3 position = glider.getBody().getPosition(), velocity = glider.getBody().getVelocity();
+    const Vector3 position = glider.getBody().getPosition();
     Vector3 outwards = position - centre;
     outwards.y = 0;
     centre += outwards * (CENTRING * (vario - averageClimb) * duration);
-    const real distance = outwards.magnitude(), bearing = cyclone::real_atan2(outwards.z, outwards.x);
+    const real distance = outwards.magnitude();
     const real inwards = real_clamp(0.7 * (distance / CIRCLE - 1), -0.8, 0.8);
-    const real track = cyclone::real_atan2(velocity.z, velocity.x);
-    const real error = wrapAngle(bearing + REAL_PI / 2 + inwards - track);
+    const real track = bearing(glider.getBody().getVelocity());
+    const real error = wrapAngle(bearing(outwards) + REAL_PI / 2 + inwards - track);
     bankTo(glider, real_clamp(CIRCLE_BANK + 1.2 * error, 0.25 * CIRCLE_BANK, MAX_BANK));
 }
 

@@ -2,10 +2,10 @@
 
 #include <algorithm>
 
+#include "base/angle.h"
 #include "base/text.h"
 #include "flightsim/aircraft_parts.h"
 #include "flightsim/glider_parts.h"
-#include "models/hull.h"
 #include "picture/windsock.h"
 
 namespace flightsim {
@@ -18,6 +18,8 @@ constexpr real VARIO_MEMORY = 1.5;       // s
 constexpr Colour LIFT_COLOUR{255, 214, 64}, BRAKE_COLOUR{255, 120, 90};
 const char *const WING_NAMES[] = {"port tip",      "port wing", "starboard wing",
                                   "starboard tip", "tailplane", "fin"};
+
+const FlightLog::Rules RULES{Glider::WHEEL_HEIGHT, 3, 3, {60, -60}, {2, 150, 15, 10 * DEGREE, 12 * DEGREE}};
 
 Scene makeScene() {
     Scene scene;
@@ -33,9 +35,7 @@ Scene makeScene() {
 
 }  // namespace
 
-const Landing Soaring::WORST_LANDING{2, 150, 15, 10 * DEGREE, 12 * DEGREE};
-
-Soaring::Soaring() : glider(world, &weather) {
+Soaring::Soaring() : glider(world, &weather), log(RULES) {
     fillProfile();
     scene = makeScene();
     begin(1);
@@ -60,7 +60,8 @@ void Soaring::fillProfile() {
                     "X        centre them all",
                     "+ -      airbrakes out, in",
                     "",
-                    "Under each cloud the air rises. When VARIO is",
+                    "Under each cloud the air rises: the nearest CLOUD,",
+                    "m away/degrees to Port or Starboard. When VARIO is",
                     "positive, circle: A or D, then E or Q with it.",
                     "Glide at 25 m/s; below 18 she stalls."};
     const auto airspeed = [this] { return glider.getAirspeed(); };
@@ -94,7 +95,7 @@ void Soaring::prepare(std::uint64_t seed, const std::vector<real> &settings) {
     windFrom = Vector3(speed * cyclone::real_cos(from), 0, speed * cyclone::real_sin(from));
     weather = Weather(seed, windFrom, settings.at(GUSTS), settings.at(LIFT));
     scene.fixtures = makeClouds(weather.getClouds());
-    log = Log();
+    log = FlightLog(RULES);
 }
 
 void Soaring::launch() {
@@ -103,7 +104,7 @@ void Soaring::launch() {
     lastLeg = pilot.getLeg();
     lastEnergyHeight = glider.getEnergyHeight();
     vario = 0;
-    airborne = true;
+    log.launch(true);
 }
 
 void Soaring::steer() {
@@ -126,15 +127,13 @@ void Soaring::beforeStep() {
     wanted.brakes = getControl(BRAKES);
     glider.setControls(wanted);
     weather.advance(glider.getVelocityThroughAir(), getHeight(), profile.step);
-    lastPosition = glider.getBody().getPosition();
-    lastVelocity = glider.getBody().getVelocity();
+    log.noteBeforeStep(glider.getBody());
 }
 
 void Soaring::afterStep() {
-    log.distance += (glider.getBody().getPosition() - lastPosition).magnitude();
-    log.highest = std::max(log.highest, getHeight());
     readVario();
-    watchTheGround();
+    const auto news = log.watchAfterStep(glider.getBody(), glider.isOnGround(), glider.getBrokenPart());
+    if (news) news->isCrash ? wreckBy(news->text) : tell(news->text);
 }
 
 /// What the air gives: the change of the energy height, with an instrument's delay.
@@ -142,30 +141,6 @@ void Soaring::readVario() {
     const real energyHeight = glider.getEnergyHeight();
     vario += ((energyHeight - lastEnergyHeight) / profile.step - vario) * profile.step / VARIO_MEMORY;
     lastEnergyHeight = energyHeight;
-}
-
-void Soaring::watchTheGround() {
-    const RigidBody &body = glider.getBody();
-    const real sinkRate = -lastVelocity.y;
-    const bool touches = glider.isOnGround();
-    const std::string broken = glider.getBrokenPart();
-    if (body.hasFaulted() || !broken.empty()) return crash(describeCrash(broken, body, lastVelocity));
-    if (airborne && touches) {
-        if (sinkRate > HARDEST_TOUCH_DOWN)
-            return crash("crashed: touched down at " + fixed(sinkRate, 1) + " m/s");
-        airborne = false;
-        const Landing landing = measureLanding(body, lastVelocity, RUNWAY);
-        const std::string how = describe(landing, WORST_LANDING);
-        log.landings.add(how, judge(landing, WORST_LANDING));
-        tell("touched down at " + how);
-    } else if (!airborne && getHeight() > 3) {
-        airborne = true;
-    }
-}
-
-void Soaring::crash(const std::string &how) {
-    ++log.crashes;
-    wreckBy(how);
 }
 
 std::vector<Pose> Soaring::getPoses() const {
@@ -187,19 +162,31 @@ std::vector<Arrow> Soaring::getArrows() const {
     return arrows;
 }
 
+/// Where the nearest cloud is, and the airfield.
+std::string Soaring::getGoals() const {
+    const RigidBody &body = glider.getBody();
+    const std::vector<Vector3> &clouds = weather.getClouds();
+    const auto nearest =
+        std::min_element(clouds.begin(), clouds.end(), [&](const Vector3 &a, const Vector3 &b) {
+            return horizontalLength(a - body.getPosition()) < horizontalLength(b - body.getPosition());
+        });
+    return (nearest == clouds.end() ? "" : "  CLOUD " + whereabouts(body, *nearest)) + "  FIELD " +
+           whereabouts(body, Vector3());
+}
+
 std::string Soaring::getHeadUpLine() const {
     const RigidBody &body = glider.getBody();
     return "ALT " + fixed(std::max(getHeight(), 0.0), 0) + "  SPD " + fixed(glider.getAirspeed(), 1) +
-           "  VARIO " + signedFixed(vario, 1) + "  BANK " + signedFixed(bankOf(body) / DEGREE, 0) + "  HDG " +
-           compassText(headingOf(body)) + "  SLIP " + signedFixed(glider.getSlip() / DEGREE, 0) + "  BRK " +
+           "  VARIO " + signedFixed(vario, 1) + getGoals() + "  BANK " +
+           signedFixed(bankOf(body) / DEGREE, 0) + "  HDG " + compassText(headingOf(body)) + "  SLIP " +
+           signedFixed(glider.getSlip() / DEGREE, 0) + "  BRK " +
            fixed(glider.getControls().brakes * 100, 0) + "%" + (glider.isStalled() ? "  STALL" : "");
 }
 
 std::string Soaring::getSummary() const {
-    return "Flown: " + fixed(log.distance / 1000, 1) + " km in " + fixed(getTime(), 0) + " s, up to " +
-           fixed(log.highest, 0) + " m high; released at " + fixed(RELEASE_HEIGHT, 0) + " m, " +
-           fixed(pilot.getHeightGained(), 0) + " m gained in thermals\n" + log.landings.getSummary() +
-           "\nCrashes: " + std::to_string(log.crashes);
+    return "Flown: " + fixed(log.getDistance() / 1000, 1) + " km in " + fixed(getTime(), 0) + " s, up to " +
+           fixed(log.getHighest(), 0) + " m high; released at " + fixed(RELEASE_HEIGHT, 0) + " m, " +
+           fixed(pilot.getHeightGained(), 0) + " m gained in thermals\n" + log.getSummary();
 }
 
 }  // namespace flightsim

@@ -1,7 +1,7 @@
 #pragma once
 
 /// The demonstration that soars: the glider, an airfield, thermals under their clouds, and a pilot.
-#include "flightsim/landing.h"
+#include "flightsim/flightlog.h"
 #include "flightsim/soarer.h"
 #include "flightsim/weather.h"
 #include "shell/demo.h"
@@ -12,9 +12,6 @@ class Soaring : public Demonstration {
 public:
     enum { PULL, ROLL, RUDDER, BRAKES };               ///< the controls
     enum { WIND_SPEED, WIND_DIRECTION, GUSTS, LIFT };  ///< the settings
-    static constexpr real HARDEST_TOUCH_DOWN = 3;      ///< m/s downwards: what is harder is a crash
-    static constexpr Runway RUNWAY{60, -60};           ///< m: what one aims at
-    static const Landing WORST_LANDING;                ///< that is still fair
     static constexpr real RELEASE_HEIGHT = 350;        ///< m: where the tow ends and a run begins
 
     Soaring();
@@ -43,28 +40,18 @@ protected:
     Vector3 getWindspeed() const override { return -weather.getVelocity(glider.getBody().getPosition()); }
 
 private:
-    /// For the summary.
-    struct Log {
-        LandingLog landings;
-        unsigned crashes = 0;
-        real highest = 0, distance = 0;
-    };
-
     void fillProfile();
     void readVario();
-    void watchTheGround();
-    void crash(const std::string &how);
-    real getHeight() const { return glider.getBody().getPosition().y - Glider::WHEEL_HEIGHT; }
+    std::string getGoals() const;
+    real getHeight() const { return log.getHeight(glider.getBody()); }
 
     Weather weather;
     Glider glider;
     Vector3 windFrom;
     Soarer pilot;
     Soarer::Leg lastLeg = Soarer::Leg::SEARCH;
-    Vector3 lastPosition, lastVelocity;  ///< before the step
     real lastEnergyHeight = 0, vario = 0;
-    bool airborne = true;
-    Log log;
+    FlightLog log;
 };
 
 }  // namespace flightsim

@@ -180,6 +180,16 @@ void Canvas::draw(const Arrow &arrow) {
     fill({tip, neck + halfWidth, neck - halfWidth}, arrow.colour);
 }
 
+void Canvas::label(const Arrow &arrow) {
+    const Vector3 tail = view_.toView(arrow.tail), tip = view_.toView(arrow.tail + arrow.vector);
+    if (!tail.isFinite() || !tip.isFinite() || tail.z < NEAR_PLANE || tip.z < NEAR_PLANE) return;
+    const real x = view_.pixelX(tail), y = view_.pixelY(tail);
+    if (x < 0 || x >= raster_.width() || y < 0 || y >= raster_.height()) return;
+    const int column = static_cast<int>(x), length = static_cast<int>(fromUtf8(arrow.name).size());
+    const bool pointsRight = view_.pixelX(tip) > x;
+    print(std::max(pointsRight ? column - length : column + 1, 0), static_cast<int>(y) / 2, arrow.name);
+}
+
 void Canvas::print(int column, int row, const std::string &text, Colour colour) {
     if (row < 0) row += rows();
     if (column < 0) column += columns();

@@ -56,6 +56,8 @@ public:
 
     /// A line with a head at its tip; its name isn't shown. Too short for a head, it is all head.
     void draw(const Arrow &arrow);
+    /// The arrow's name beside its tail.
+    void label(const Arrow &arrow);
 
     /// Text (UTF-8) on a darkened strip of the picture; a negative row counts from the bottom, -1 being the
     /// last; a negative column from the right in the same way. What doesn't fit is cut off.

@@ -76,7 +76,7 @@ enum class Viewpoint { CHASE, SIDE, SPECTATOR, PLANE };
 struct CameraSettings {
     std::vector<Viewpoint> viewpoints{Viewpoint::CHASE, Viewpoint::SIDE, Viewpoint::SPECTATOR};
     Vector3 spectator{0, 1.7, 20};  ///< m
-    bool spectatorFollows = false;  ///< the spectator keeps the offset to the body, as from another boat
+    bool spectatorFollows = false;  ///< along the ground, as from another boat, and never lower than the body
     real distance = 6;              ///< m, of the other viewpoints at zoom 1
     real height = 0;                ///< m above the body's origin: what the cameras aim at
     real windHeight = 1;            ///< m above the body's origin: where the wind is shown

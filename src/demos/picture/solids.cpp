@@ -6,6 +6,12 @@
 
 namespace demo {
 
+namespace {
+
+constexpr Colour POINTER{255, 236, 110};
+
+}  // namespace
+
 void addFace(Part &part, const std::vector<Vector3> &corners, Colour colour) {
     part.faces.push_back({corners, colour});
 }
@@ -101,6 +107,16 @@ Part makeSmoke() {
 
 Part paintRectangle(const std::string &name, real x1, real x2, real z1, real z2, Colour colour) {
     return {name, {{{{x1, 0, z2}, {x2, 0, z2}, {x2, 0, z1}, {x1, 0, z1}}, colour}}, false};
+}
+
+Part makeBuoyPointer(const std::string &name) {
+    Part part;
+    part.name = name;
+    const auto ring = [](real y, real radius) -> std::vector<Vector3> {
+        return {{radius, y, 0}, {0, y, -radius}, {-radius, y, 0}, {0, y, radius}};
+    };
+    addLoft(part, {ring(3, 0.05), ring(4.4, 0.9)}, POINTER);
+    return part;
 }
 
 }  // namespace demo

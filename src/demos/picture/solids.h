@@ -33,6 +33,9 @@ Part makeSmoke();
 /// On the land, between two corners.
 Part paintRectangle(const std::string &name, real x1, real x2, real z1, real z2, Colour colour);
 
+/// An arrowhead that hangs over a buoy.
+Part makeBuoyPointer(const std::string &name);
+
 /// Appends a flat face; counter-clockwise seen from its front.
 void addFace(Part &part, const std::vector<Vector3> &corners, Colour colour);
 

@@ -68,7 +68,10 @@ Camera Stage::aim(const Frame &frame, real elapsed) {
         }
         case Viewpoint::SPECTATOR: {
             camera.eye = cameras.spectator;
-            if (cameras.spectatorFollows) camera.eye += Vector3(body.position.x, 0, body.position.z);
+            if (cameras.spectatorFollows) {
+                camera.eye += Vector3(body.position.x, 0, body.position.z);
+                camera.eye.y = std::max(camera.eye.y, body.position.y);
+            }
             // A spectator who is far off looks through glasses that make up for part of the distance.
             const real away = std::max((camera.target - camera.eye).magnitude() / cameras.distance, 1.0);
             camera.fieldOfView = std::clamp(FIELD_OF_VIEW / zoom / std::pow(away, 0.8), 0.02, 1.6);
@@ -99,7 +102,9 @@ void Stage::draw(Canvas &canvas, int columns, int rows, const Frame &frame, real
     const Vector3 middle = frame.poses.front().position + Vector3::UP * scene.cameras.windHeight;
     const Vector3 wind = -frame.windspeed * (WIND_SCALE * scene.cameras.distance);
     const bool isDark = scene.surroundings.terrain == Terrain::SPACE;
-    canvas.draw(Arrow{"wind", middle - wind * 0.5, wind, isDark ? WIND_IN_SPACE : WIND});
+    const Arrow arrow{"wind", middle - wind * 0.5, wind, isDark ? WIND_IN_SPACE : WIND};
+    canvas.draw(arrow);
+    if (wind != Vector3()) canvas.label(arrow);
 }
 
 /// Shadows first, and last what one sees through.

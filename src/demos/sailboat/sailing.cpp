@@ -4,7 +4,9 @@
 #include <array>
 #include <cmath>
 
+#include "base/angle.h"
 #include "base/text.h"
+#include "models/attitude.h"
 #include "models/sea.h"
 #include "picture/solids.h"
 #include "sailboat/boat_parts.h"
@@ -35,6 +37,7 @@ Scene makeScene() {
     scene.bodies = {{makeBoatParts(), true, false}};
     for (std::size_t n = 0; n < MARKS.size(); ++n)
         scene.bodies.push_back({{makeBuoy(MARKS[n].name + " mark", MARK_COLOURS[n])}, false, false});
+    scene.bodies.push_back({{makeBuoyPointer("next mark")}, false, false});
     scene.newtonsPerMetre = NEWTONS_PER_METRE;
     scene.cameras.spectator = Vector3(-16, 4, 20);
     scene.cameras.spectatorFollows = true;
@@ -172,7 +175,7 @@ void Sailing::applyControls() {
 
 void Sailing::keepLog() {
     const Vector3 velocity = boat.getBody().getVelocity();
-    log.distance += Vector3(velocity.x, 0, velocity.z).magnitude() * profile.step;
+    log.distance += horizontalLength(velocity) * profile.step;
     log.topSpeed = std::max(log.topSpeed, boat.getSpeed());
     log.mostHeel = std::max(log.mostHeel, std::fabs(boat.getHeel()));
     if (skipper.isFinished() && lapEnd == lapStart) {
@@ -210,10 +213,13 @@ void Sailing::rightIfCapsized() {
 
 std::vector<Pose> Sailing::getPoses() const {
     std::vector<Pose> poses = getBoatPoses(boat);
-    for (const Skipper::Mark &mark : MARKS) {
+    const auto afloat = [this](const Skipper::Mark &mark) {
         const Vector3 place(mark.x, 0, mark.z);
-        poses.push_back({place + Vector3::UP * sea.getHeight(place), Quaternion()});
-    }
+        return Pose{place + Vector3::UP * sea.getHeight(place), Quaternion()};
+    };
+    for (const Skipper::Mark &mark : MARKS) poses.push_back(afloat(mark));
+    const Skipper::Mark *next = skipper.getNextMark();
+    poses.push_back(next ? afloat(*next) : NOWHERE);
     return poses;
 }
 
@@ -246,8 +252,7 @@ std::string Sailing::getAdvice() const {
 std::string Sailing::getCourse() const {
     const Skipper::Mark *mark = skipper.getNextMark();
     if (!mark) return "";
-    const Vector3 position = boat.getBody().getPosition(), way(mark->x - position.x, 0, mark->z - position.z);
-    return "  MARK " + fixed(way.magnitude(), 0) + "/" + sided(wrapAngle(bearing(way) - boat.getHeading()));
+    return "  MARK " + whereabouts(boat.getBody(), Vector3(mark->x, 0, mark->z));
 }
 
 std::string Sailing::getHeadUpLine() const {

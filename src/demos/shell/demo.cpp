@@ -31,7 +31,7 @@ void Demonstration::wreckBy(const std::string &cause) {
 
 void Demonstration::step() {
     isCut = false;
-    if (!wreck.empty()) {
+    if (!wreck.empty() && getTimeSinceWreck() >= profile.wreckMotion) {
         ++steps;
         return;
     }

@@ -70,6 +70,7 @@ struct Profile {
     std::vector<std::string> help;  ///< lines about its own keys, for the help box
     std::vector<Quantity> quantities;
     Archive archive{};
+    real wreckMotion = 0;   ///< s: so long a wreck drifts or flies apart; then it stays where it is
     real step = 1.0 / 120;  ///< s, of the simulation
     real duration = 60;     ///< s, the longest run without a terminal when nobody says
 };
@@ -97,8 +98,8 @@ public:
     /// Puts the vehicle back to where it began, controls at neutral, while time and weather go on.
     void startOver();
 
-    /// What has ended the vehicle's run, such as "crashed: a wing hit the ground"; empty while it goes on. A
-    /// wreck stays where it is until startOver(), while time goes on.
+    /// What has ended the vehicle's run, such as "crashed: a wing hit the ground"; empty while it goes on.
+    /// The wreck remains until startOver(), while time goes on.
     const std::string &getWreck() const { return wreck; }
     /// s since then.
     real getTimeSinceWreck() const { return static_cast<real>(steps - wreckedAt) * profile.step; }

@@ -17,6 +17,7 @@ namespace {
 
 constexpr double FRAME_TIME = 1.0 / 30;  // s
 constexpr real NEWS_TIME = 4;            // s
+constexpr real LOOK_AT_END = 3;          // s, until a pilot who is done begins again
 constexpr Colour NEWS{255, 224, 130}, QUIET{190, 200, 208}, ALARM{255, 150, 130};
 
 /// '=' is '+' without Shift, and '_' is '-' with it.
@@ -64,6 +65,7 @@ private:
     Hands hands;
     Frame before;  ///< the moment before the last step
     bool paused = false;
+    real overFor = 0;                         ///< s since the pilot was done
     std::size_t helpPage = 0, helpPages = 0;  ///< from 1; 0: no help. Of how many it was drawn.
     std::string news;
     real newsLeft = 0;  ///< s
@@ -110,6 +112,7 @@ bool Show::handle(Key key) {
         case 'r':
             takeControls();
             session.restart();
+            stage.follow(session.getFrame());
             break;
         default:
             if (!hands.knows(key)) break;
@@ -133,11 +136,13 @@ void Show::advance(real elapsed) {
     newsLeft -= elapsed;
     if (paused || helpPage > 0) return clock.reset();
     for (unsigned n = clock.advance(elapsed); n > 0; --n) {
-        if (session.isOver() && hasPilot()) session.restart();
-        if (session.isOver()) takeControls();  // the script has ended
+        overFor = session.isOver() ? overFor + profile.step : 0;
+        if (overFor > LOOK_AT_END && hasPilot()) session.restart();
+        if (session.isOver() && !hasPilot()) takeControls();  // the script has ended
         if (session.getDriver() == Driver::HANDS) hands.advance(profile.step);
         before = session.getFrame();
         session.step();
+        stage.follow(session.getFrame());
         for (const Event &event : session.takeEvents()) say(event.text);
     }
 }
@@ -185,7 +190,7 @@ void Show::printInstruments() {
 /// At the right edge, above the last line, with the numbers below it.
 void Show::drawHorizon() {
     const std::optional<Attitude> attitude = demonstration.getAttitude();
-    if (!attitude) return;
+    if (!attitude || !demonstration.getWreck().empty()) return;
     const int rows = std::clamp(canvas.rows() / 5, 3, 9), columns = 3 * rows;
     const int left = canvas.columns() - columns, top = canvas.rows() - rows - 2;
     canvas.paste(left, top, paintHorizon(columns, 2 * rows, *attitude));
@@ -210,7 +215,7 @@ void Show::printNews() {
     const std::string status = getStatus();
     const int columns = canvas.columns(), length = static_cast<int>(status.size());
     canvas.print(std::max(columns - length, 0), -1, status, QUIET);
-    if (newsLeft <= 0) return;
+    if (newsLeft <= 0 || news == demonstration.getWreck()) return;  // the box says so
     const std::vector<std::string> lines = broken(news, static_cast<std::size_t>(columns));
     const bool fits = static_cast<int>(fromUtf8(news).size()) + 2 + length <= columns;
     int row = fits ? -1 : -1 - static_cast<int>(lines.size());

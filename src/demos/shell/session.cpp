@@ -76,6 +76,7 @@ void Session::keepFrames() {
 
 void Session::step() {
     const bool isWrecked = !demonstration.getWreck().empty();
+    frame.cut = false;
     if (driver == Driver::PILOT && !isWrecked)
         demonstration.steer();
     else if (driver == Driver::SCRIPT)
@@ -120,7 +121,9 @@ void Session::noteInputs() {
 }
 
 void Session::keep() {
+    const bool restarted = frame.cut;  // by the script, before the step
     look();
+    frame.cut = frame.cut || restarted;
     // Whatever put the vehicle back put its controls back too: a script need not say so.
     cutPending = cutPending || frame.cut;
     if (frame.cut)

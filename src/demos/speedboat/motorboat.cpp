@@ -1,5 +1,7 @@
 #include "speedboat/motorboat.h"
 
+#include "base/angle.h"
+
 #include <algorithm>
 #include <array>
 
@@ -197,7 +199,7 @@ void Motorboat::aimMotor() {
 
 real Motorboat::getSpeed() const {
     const Vector3 velocity = body.getVelocity();
-    return Vector3(velocity.x, 0, velocity.z).magnitude();
+    return demo::horizontalLength(velocity);
 }
 
 real Motorboat::getDraught() const {

@@ -9,7 +9,7 @@ namespace {
 
 constexpr Colour BOTTOM{198, 52, 44}, SIDE{240, 242, 244}, DECK{205, 172, 120}, FLOOR{120, 96, 70},
     GLASS{96, 140, 170}, SEAT{70, 78, 92}, JACKET{236, 150, 36}, SKIN{225, 178, 140}, COWL{40, 46, 58},
-    LEG{96, 104, 116}, BRASS{214, 176, 84}, FOIL{168, 178, 190}, POINTER{255, 236, 110}, WATER{236, 246, 250};
+    LEG{96, 104, 116}, BRASS{214, 176, 84}, FOIL{168, 178, 190}, WATER{236, 246, 250};
 
 constexpr real CHINE = -0.19, SHEER = 0.24;  // y, m
 constexpr real SPRAY_HEIGHT = 0.6;           // m: so far it sinks
@@ -135,16 +135,6 @@ std::vector<Pose> getSprayPoses(const Motorboat &boat, const cyclone::Water &wat
     const real front = Motorboat::STERN + boat.getWettedLength();
     const real speed = boat.getWettedLength() > 0 ? boat.getSpeed() : 0;
     return {jet, place(Vector3(front, 0, 0), (speed - 3) / 7)};
-}
-
-Part makePointer() {
-    Part part;
-    part.name = "next buoy";
-    const auto ring = [](real y, real radius) -> std::vector<Vector3> {
-        return {{radius, y, 0}, {0, y, -radius}, {-radius, y, 0}, {0, y, radius}};
-    };
-    addLoft(part, {ring(3, 0.05), ring(4.4, 0.9)}, POINTER);
-    return part;
 }
 
 }  // namespace speedboat

@@ -22,7 +22,4 @@ std::vector<Part> makeSpray(Hull hull);
 /// They come out of the sea with speed, and sink into it where there is nothing to throw.
 std::vector<Pose> getSprayPoses(const Motorboat &boat, const cyclone::Water &water, Hull hull);
 
-/// To hang over the buoy that is next.
-Part makePointer();
-
 }  // namespace speedboat

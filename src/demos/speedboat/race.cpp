@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "base/angle.h"
 #include "base/text.h"
@@ -18,7 +19,6 @@ using cyclone::REAL_PI;
 constexpr real DEGREE = REAL_PI / 180;
 constexpr real WIND_FROM = -REAL_PI / 4;  // north-west
 constexpr real GUST_MEMORY = 4;           // s
-constexpr real CAPSIZED_FOR = 3;          // s, until the run is over
 constexpr real LONG_JUMP = 0.6;           // s: told at once
 constexpr real NEWTONS_PER_METRE = 3000;
 constexpr Colour TO_PORT{214, 46, 40}, TO_STARBOARD{30, 150, 80};
@@ -99,6 +99,7 @@ void Race::fillProfile() {
     profile.title =
         hull == Hull::FOILS ? "A hydrofoil on a course of buoys" : "A speedboat on a course of buoys";
     profile.kind = "motorboat";
+    profile.wreckMotion = std::numeric_limits<real>::infinity();
     profile.duration = 180;
 }
 
@@ -110,7 +111,7 @@ Scene Race::makeScene() const {
     for (std::size_t n = 0; n < BUOYS.size(); ++n)
         made.bodies.push_back(
             {{makeBuoy(nameOf(n), BUOYS[n].toPort ? TO_PORT : TO_STARBOARD)}, false, false});
-    made.bodies.push_back({{makePointer()}, false, false});
+    made.bodies.push_back({{makeBuoyPointer("next buoy")}, false, false});
     made.newtonsPerMetre = NEWTONS_PER_METRE;
     made.cameras.spectator = Vector3(-10, 4, 14);
     made.cameras.spectatorFollows = true;
@@ -143,11 +144,9 @@ void Race::setWaves(real height, Random &random) {
 void Race::launch() {
     boat.launch(0, 0, 0);
     course.startOver(getTime());
-    airborneFor = dryFor = capsizedFor = 0;
+    airborneFor = dryFor = 0;
     lapsBefore = course.getLaps();
 }
-
-bool Race::isOver() const { return course.getLaps() > lapsBefore || capsizedFor > CAPSIZED_FOR; }
 
 void Race::steer() {
     const Orders orders = drive(boat, course, profile.step);
@@ -157,7 +156,7 @@ void Race::steer() {
 }
 
 void Race::beforeStep() {
-    boat.setThrottle(capsizedFor > 0 ? 0 : getControl(THROTTLE));
+    boat.setThrottle(getWreck().empty() ? getControl(THROTTLE) : 0);
     boat.setSteering(getControl(STEERING) * DEGREE);
     boat.setTilt(getControl(TILT) * DEGREE);
     wind.advance();
@@ -167,7 +166,7 @@ void Race::beforeStep() {
 void Race::afterStep() {
     sea.setTime(getTime());
     watchForCapsize();
-    if (capsizedFor > 0) return;
+    if (!getWreck().empty()) return;
     watchTheCourse();
     keepLog();
     countJumps();
@@ -185,7 +184,7 @@ void Race::watchTheCourse() {
 
 void Race::keepLog() {
     const Vector3 way = boat.getBody().getPosition() - lastPosition;
-    log.distance += Vector3(way.x, 0, way.z).magnitude();
+    log.distance += horizontalLength(way);
     log.topSpeed = std::max(log.topSpeed, boat.getSpeed());
     dryFor = boat.isScrewDry() ? dryFor + profile.step : 0;
     if (dryFor > 0) log.timeDry += profile.step;
@@ -205,13 +204,9 @@ void Race::countJumps() {
 }
 
 void Race::watchForCapsize() {
-    if (capsizedFor > 0) {
-        capsizedFor += profile.step;
-    } else if (boat.isCapsized()) {
-        capsizedFor = profile.step;
-        ++log.capsizes;
-        tell("capsized at " + fixed(boat.getSpeed(), 1) + " m/s; R to try again");
-    }
+    if (!getWreck().empty() || !boat.isCapsized()) return;
+    ++log.capsizes;
+    wreckBy("capsized at " + fixed(boat.getSpeed(), 1) + " m/s");
 }
 
 std::vector<Pose> Race::getPoses() const {
@@ -251,15 +246,11 @@ std::vector<Arrow> Race::getArrows() const {
 /// Which buoy is next, where it is off the bow, and on which hand to leave it.
 std::string Race::getTask() const {
     const Buoy &buoy = course.getNextBuoy();
-    const Vector3 way = buoy.getPlace() - boat.getBody().getPosition();
-    const real off = wrapAngle(bearing(way) - headingOf(boat.getBody()));
     return "BUOY " + std::to_string(course.getNext() + 1) + " " +
-           fixed(Vector3(way.x, 0, way.z).magnitude(), 0) + "/" + sided(off) +
-           (buoy.toPort ? " to port" : " to starboard");
+           whereabouts(boat.getBody(), buoy.getPlace()) + (buoy.toPort ? " to port" : " to starboard");
 }
 
 std::string Race::getHeadUpLine() const {
-    if (capsizedFor > 0) return "CAPSIZED: R to try again";
     return (dryFor > 0 ? "SCREW DRY " + fixed(dryFor, 1) + " s  " : "") + "SPD " + fixed(boat.getSpeed(), 1) +
            "  " + getTask() + "  LAP " + fixed(getLapTime(), 0) + "  THR " +
            fixed(100 * boat.getThrottle(), 0) + "%  STEER " + sided(boat.getSteering()) + "  TILT " +

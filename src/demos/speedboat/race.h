@@ -8,7 +8,7 @@
 
 namespace speedboat {
 
-/// Laps round the buoys. A boat that has capsized stays so, its motor drowned.
+/// Laps round the buoys. A boat that has capsized drifts, its motor drowned.
 class Race : public Demonstration {
 public:
     enum { THROTTLE, STEERING, TILT };  ///< the controls: 0 … 1; degrees to starboard; degrees out
@@ -19,7 +19,7 @@ public:
     explicit Race(Hull hull);
 
     void steer() override;
-    bool isOver() const override;
+    bool isOver() const override { return course.getLaps() > lapsBefore; }
     std::string getHeadUpLine() const override;
     std::string getSummary() const override;
 
@@ -61,9 +61,9 @@ private:
     cyclone::Waves sea;
     Motorboat boat;
     Course course;
-    Vector3 lastPosition;                               ///< before the step
-    real airborneFor = 0, dryFor = 0, capsizedFor = 0;  ///< s, until now
-    unsigned lapsBefore = 0;                            ///< when it was launched
+    Vector3 lastPosition;              ///< before the step
+    real airborneFor = 0, dryFor = 0;  ///< s, until now
+    unsigned lapsBefore = 0;           ///< when it was launched
     Log log;
 };
 

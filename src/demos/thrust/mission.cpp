@@ -15,6 +15,7 @@ constexpr real GUST_MEMORY = 3;    // s
 constexpr real START_SCATTER = 1;  // m
 constexpr real POD_STAND = 0.15;   // m, between the pod and the rock below it
 constexpr real FARTHEST = 60;      // m beyond the map
+constexpr real WRECK_MOTION = 1;   // s: the parts fly, but not through the rock
 constexpr real NEWTONS_PER_METRE = 1200;
 constexpr Colour PUSH{255, 190, 60}, ROD_FORCE{120, 235, 140};
 
@@ -63,7 +64,8 @@ void Mission::fillProfile() {
         "W S   more thrust, less",
         "X     engine off",
         "",
-        "Fly to the ring above the pod: it hooks the rod.",
+        "Fly to the ring above the pod, where the green",
+        "pointer points: it hooks the rod.",
         "Carry the pod out above the rock. Slowly: it swings.",
         "Touch nothing, neither with ship nor rod nor pod.",
     };
@@ -83,6 +85,7 @@ void Mission::fillProfile() {
     };
     profile.title = level.name;
     profile.kind = "thrust";
+    profile.wreckMotion = WRECK_MOTION;
     profile.duration = 240;
 }
 
@@ -101,8 +104,7 @@ void Mission::launch() {
                 level.gravity);
     pilot.startOver(ship);
     fuel = level.fuel;
-    outcome = Outcome::OPEN;
-    ending.clear();
+    fetched = false;
 }
 
 void Mission::steer() {
@@ -135,7 +137,7 @@ void Mission::burn() {
 }
 
 void Mission::afterStep() {
-    if (outcome != Outcome::OPEN) return;
+    if (isDecided()) return;
     topSpeed = std::max(topSpeed, ship.getBody().getVelocity().magnitude());
     const Outlines now = getOutlines();
     destroyIfTouching("ship", outlines.ship, now.ship);
@@ -149,7 +151,7 @@ void Mission::afterStep() {
 
 void Mission::hookIfReached() {
     const Vector3 way = ship.getRodEnd() - ship.getBody().getPosition();
-    if (outcome != Outcome::OPEN || ship.isHooked() || way.magnitude() > HOOK_REACH) return;
+    if (isDecided() || ship.isHooked() || way.magnitude() > HOOK_REACH) return;
     ship.hook();
     tell("the pod is on the rod: carry it out");
 }
@@ -163,25 +165,22 @@ void Mission::destroyIfTouching(const char *part, const std::vector<Vector3> &be
                                 const std::vector<Vector3> &after) {
     std::vector<Corner> corners;
     for (std::size_t n = 0; n < before.size(); ++n) corners.push_back({before[n], after[n]});
-    if (outcome != Outcome::OPEN || !findTouch(corners, level.walls)) return;
+    if (isDecided() || !findTouch(corners, level.walls)) return;
     destroy(std::string("the ") + part + " touched rock at " +
             fixed(ship.getBody().getVelocity().magnitude(), 1) + " m/s");
 }
 
 void Mission::destroy(const std::string &why) {
-    outcome = Outcome::DESTROYED;
-    ending = "Destroyed: " + why;
-    tell("destroyed: " + why + "; R to try again");
+    wreckBy("destroyed: " + why);
     ship.breakUp();
 }
 
 void Mission::watchTheSky() {
-    if (outcome != Outcome::OPEN) return;
+    if (isDecided()) return;
     const Vector3 place = ship.getBody().getPosition();
     const real top = level.height;
     if (ship.isHooked() && place.y > top && ship.getPod().getPosition().y > top) {
-        outcome = Outcome::FETCHED;
-        ending = "Fetched the pod";
+        fetched = true;
         tell("the pod is out: well flown");
     } else if (place.x < -FARTHEST || place.x > level.width + FARTHEST || place.y > top + FARTHEST) {
         destroy("lost in space");
@@ -198,8 +197,7 @@ std::vector<Arrow> Mission::getArrows() const {
 }
 
 std::string Mission::getHeadUpLine() const {
-    if (outcome == Outcome::DESTROYED) return ending + ": R to try again";
-    if (outcome == Outcome::FETCHED) return "The pod is out: R to fly again";
+    if (fetched) return "The pod is out: R to fly again";
     const cyclone::RigidBody &body = ship.getBody();
     const Vector3 way = ship.getRodEnd() - body.getPosition();
     const std::string task =
@@ -211,9 +209,12 @@ std::string Mission::getHeadUpLine() const {
 }
 
 std::string Mission::getSummary() const {
-    return level.name + ": " + (ending.empty() ? "not at an end" : ending) +
-           "\nTime: " + fixed(getTime(), 1) + " s\nFuel left: " + fixed(100 * fuel / level.fuel, 0) +
-           " %\nTop speed: " + fixed(topSpeed, 1) + " m/s";
+    const std::string ending = fetched              ? "fetched the pod"
+                               : getWreck().empty() ? "not at an end"
+                                                    : getWreck();
+    return level.name + ": " + ending + "\nTime: " + fixed(getTime(), 1) +
+           " s\nFuel left: " + fixed(100 * fuel / level.fuel, 0) + " %\nTop speed: " + fixed(topSpeed, 1) +
+           " m/s";
 }
 
 }  // namespace thrust

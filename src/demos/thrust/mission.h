@@ -22,12 +22,10 @@ public:
     explicit Mission(Level level);
 
     void steer() override;
-    bool isOver() const override { return outcome != Outcome::OPEN; }
+    bool isOver() const override { return fetched; }
     std::string getHeadUpLine() const override;
     std::string getSummary() const override;
 
-    enum class Outcome { OPEN, FETCHED, DESTROYED };
-    Outcome getOutcome() const { return outcome; }
     const Level &getLevel() const { return level; }
     const Ship &getShip() const { return ship; }
     Ship &getShip() { return ship; }
@@ -49,6 +47,7 @@ private:
     };
 
     void fillProfile();
+    bool isDecided() const { return fetched || !getWreck().empty(); }
     void advanceWind();
     void burn();
     void hookIfReached();
@@ -66,8 +65,7 @@ private:
     Random random;
     Outlines outlines;  ///< before the step
     real fuel = 0;
-    Outcome outcome = Outcome::OPEN;
-    std::string ending;
+    bool fetched = false;
     real topSpeed = 0;
 };
 

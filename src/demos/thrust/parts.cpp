@@ -13,6 +13,7 @@ constexpr Colour HULL{235, 240, 248}, WINDOW{90, 200, 250}, FIN{240, 120, 60}, F
 constexpr int STARS = 250;
 constexpr real STARS_BEYOND = 40, STARS_Z = -8;                     // m
 constexpr real THICKNESS = 0.5, NOZZLE = -0.8, FLAME_LENGTH = 1.6;  // m
+constexpr real POINTER_AWAY = 2.8;                                  // m, from the ship
 constexpr real ROCK_FRONT = 0.8, ROCK_BACK = -4, EDGE_WIDTH = 0.25,
                EDGE_OVERLAP = 0.08;  // m; z of the rock's faces
 
@@ -82,6 +83,28 @@ Part makeRod() {
     return part;
 }
 
+Part makePointer() {
+    Part part;
+    part.name = "pointer";
+    part.twoSided = true;
+    addPlate(part, {{0.9, 0, 0}, {-0.9, 0.6, 0}, {-0.5, 0, 0}}, 0.1, POD);
+    addPlate(part, {{0.9, 0, 0}, {-0.5, 0, 0}, {-0.9, -0.6, 0}}, 0.1, POD);
+    return part;
+}
+
+/// Along `direction`, which lies in the plane.
+Quaternion towards(const Vector3 &direction) {
+    return Quaternion::fromAxisAngle(Vector3::Z, cyclone::real_atan2(direction.y, direction.x));
+}
+
+/// Beside the ship, on the way to the ring, and with the pod to the sky; gone with the ship.
+Pose posePointer(const Ship &ship) {
+    const Vector3 &place = ship.getBody().getPosition();
+    const Vector3 way = ship.isHooked() ? Vector3::UP : (ship.getRodEnd() - place).unit();
+    if (ship.isBroken()) return NOWHERE;
+    return {place + way * POINTER_AWAY, towards(way)};
+}
+
 Pose poseOf(const cyclone::RigidBody &body) { return {body.getPosition(), body.getOrientation()}; }
 
 }  // namespace
@@ -91,7 +114,8 @@ std::vector<Body> makeBodies() {
              true,
              false},
             {{makePod()}, false, false},
-            {{makeRod()}, false, false}};
+            {{makeRod()}, false, false},
+            {{makePointer()}, false, false}};
 }
 
 std::vector<Pose> getPoses(const Ship &ship) {
@@ -107,9 +131,8 @@ std::vector<Pose> getPoses(const Ship &ship) {
 
     poses.push_back(poseOf(pod));
     const Vector3 end = ship.isHooked() ? body.getPosition() : ship.getRodEnd();
-    const Vector3 along = end - pod.getPosition();
-    const real angle = cyclone::real_atan2(along.y, along.x);
-    poses.push_back({pod.getPosition(), Quaternion::fromAxisAngle(Vector3::Z, angle)});
+    poses.push_back({pod.getPosition(), towards(end - pod.getPosition())});
+    poses.push_back(posePointer(ship));
     return poses;
 }
 

@@ -9,7 +9,8 @@ namespace thrust {
 
 using namespace demo;
 
-/// Hull, port fin, starboard fin and flame; pod; rod. The rod lies along +X, from the pod to its end.
+/// Hull, port fin, starboard fin and flame; pod; rod; a pointer to where to go. The rod lies along +X, from
+/// the pod to its end.
 std::vector<Body> makeBodies();
 
 /// Where those parts are.

@@ -264,6 +264,22 @@ TEST(DemoCanvas, TextStandsWhereItIsPrinted) {
     EXPECT_EQ(cells.at(COLUMNS - 2, 0).glyph, U'x');
 }
 
+TEST(DemoCanvas, AnArrowsNameStandsBesideItsTailAwayFromItsTip) {
+    Canvas canvas;
+    canvas.begin(COLUMNS, ROWS, alongX());
+    canvas.label(Arrow{"east", {10, 0, -8}, {0, 0, 16}, RED});  // columns 6 to 54
+    canvas.label(Arrow{"west", {10, 5, 8}, {0, 0, -16}, RED});  // and back, higher up
+    canvas.label(Arrow{"behind", {-10, 0, -8}, {0, 0, 16}, RED});
+    canvas.label(Arrow{"nowhere", {10, NOT_A_NUMBER, -8}, {0, 0, 16}, RED});
+    canvas.label(Arrow{"outside", {10, 0, -11}, {0, 0, 16}, RED});
+    const CellGrid &cells = canvas.cells();
+    EXPECT_EQ(rowOf(cells, 15, 0, 7), U"  east ");
+    EXPECT_EQ(rowOf(cells, 7, 53, 7), U"  west ");
+    int letters = 0;
+    for (const Cell &cell : cells.cells) letters += cell.glyph >= U'a' && cell.glyph <= U'z';
+    EXPECT_EQ(letters, 8) << "and no others";
+}
+
 TEST(DemoCanvas, TextOutsideThePictureIsCutOff) {
     Canvas canvas;
     canvas.begin(10, 3, alongX());

@@ -181,3 +181,17 @@ TEST(DemoStage, TheNextViewpointIsTheScenesNextAndThenTheFirst) {
     stage.nextViewpoint();
     EXPECT_EQ(stage.viewpoint, Viewpoint::PLANE);
 }
+
+TEST(DemoStage, ASpectatorWhoFollowsIsNotLeftBelow) {
+    Flight flight;
+    Scene scene = flight.getScene();
+    scene.cameras.spectatorFollows = true;
+    flight.getAircraft().launch(Vector3(100, 200, 0));
+    Stage stage(scene);
+    stage.viewpoint = Viewpoint::SPECTATOR;
+    Canvas canvas;
+    stage.draw(canvas, 60, 30, flight.getFrame(), 0);
+    const Image image = canvas.image();
+    const Colour bottom = image.pixels[static_cast<std::size_t>(59 * image.width)];
+    EXPECT_GT(bottom.green, bottom.blue) << "there is land below it, not only sky";
+}

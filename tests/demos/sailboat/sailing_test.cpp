@@ -256,7 +256,9 @@ TEST(Sailing, PointsToTheNextMarkAndTimesTheLap) {
     // m at 3.4° + 68.8° = 72.1° off the bow.
     EXPECT_NE(sailing.getHeadUpLine().find("  MARK 85/72S"), std::string::npos) << sailing.getHeadUpLine();
     EXPECT_NE(sailing.getSummary().find("the windward mark is next"), std::string::npos);
+    EXPECT_EQ(sailing.getFrame().poses.back().position, sailing.getFrame().poses[3].position);
     while (!sailing.isOver()) run(sailing, 0.5);
+    EXPECT_EQ(sailing.getFrame().poses.back().position, demo::NOWHERE.position);
     EXPECT_EQ(sailing.getHeadUpLine().find("MARK"), std::string::npos);
     const std::string summary = sailing.getSummary();
     ASSERT_NE(summary.find("Course: 1 lap, the best in "), std::string::npos) << summary;

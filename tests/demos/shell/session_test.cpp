@@ -103,6 +103,18 @@ TEST(DemoSession, AScriptSetsItsControlsAtItsTimes) {
     EXPECT_TRUE(session.isOver());
 }
 
+TEST(DemoSession, ARestartInAScriptIsACutToo) {
+    Flight flight;
+    const Script script = readScript("0 throttle 1\n0.5 restart\n1 end\n", flight.getProfile());
+    Session session(flight, 1, breeze, script);
+    run(session, 60);
+    EXPECT_FALSE(session.getFrame().cut);
+    session.step();
+    EXPECT_TRUE(session.getFrame().cut) << "nothing is drawn between the runway's middle and its start";
+    session.step();
+    EXPECT_FALSE(session.getFrame().cut);
+}
+
 TEST(DemoSession, TheCsvFileHasALineForEveryStepAndAColumnForEveryQuantity) {
     Flight flight;
     Session session(flight, 1, breeze);

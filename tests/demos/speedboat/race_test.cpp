@@ -134,18 +134,20 @@ TEST(SpeedboatRace, CapsizingIsSaidAndEndsTheRunUntilItStartsOver) {
     race.setControl(Race::THROTTLE, 1);
     race.getBoat().getBody().setOrientation(Quaternion(0, 1, 0, 0));  // upside down
     race.step();
+    EXPECT_EQ(race.getWreck(), "capsized at 0.0 m/s");
     const std::vector<demo::Event> events = race.takeEvents();
     ASSERT_EQ(events.size(), 1u);
-    EXPECT_EQ(events[0].text, "capsized at 0.0 m/s; R to try again");
-    EXPECT_EQ(race.getHeadUpLine(), "CAPSIZED: R to try again");
+    EXPECT_EQ(events[0].text, race.getWreck());
+    const Vector3 place = race.getBoat().getBody().getPosition();
     for (int n = 0; n < 4 * 120; ++n) race.step();
     EXPECT_EQ(race.getBoat().getThrottle(), 0) << "the motor has drowned";
-    EXPECT_TRUE(race.isOver());
+    EXPECT_NE(race.getBoat().getBody().getPosition(), place) << "it floats";
+    EXPECT_FALSE(race.isOver()) << "there is no lap";
     EXPECT_TRUE(race.takeEvents().empty()) << "said once";
     EXPECT_NE(race.getSummary().find("Capsizes: 1"), std::string::npos);
 
     race.startOver();
-    EXPECT_FALSE(race.isOver());
+    EXPECT_EQ(race.getWreck(), "");
     race.setControl(Race::THROTTLE, 1);
     race.step();
     EXPECT_EQ(race.getBoat().getThrottle(), 1);

@@ -12,7 +12,6 @@ using demo::Event;
 using thrust::Level;
 using thrust::Mission;
 using thrust::Ship;
-using Outcome = Mission::Outcome;
 
 constexpr real LONGEST = 240;  // s
 const std::vector<real> CALM = {0}, BREEZE = {1}, GALE = {3};
@@ -24,7 +23,8 @@ const std::string HALL =
     "#        P        #\n###################\n";
 
 void run(Mission &mission, real seconds, bool withPilot = false) {
-    for (const real end = mission.getTime() + seconds; mission.getTime() < end && !mission.isOver();) {
+    for (const real end = mission.getTime() + seconds;
+         mission.getTime() < end && !mission.isOver() && mission.getWreck().empty();) {
         if (withPilot) mission.steer();
         mission.step();
     }
@@ -115,7 +115,7 @@ void expectAllFetched(std::size_t level, std::uint64_t seeds, const std::vector<
     for (std::uint64_t seed = 1; seed <= seeds; ++seed) {
         mission.begin(seed, settings);
         run(mission, LONGEST, true);
-        EXPECT_EQ(mission.getOutcome(), Outcome::FETCHED) << seed << ": " << mission.getSummary();
+        EXPECT_TRUE(mission.isOver()) << seed << ": " << mission.getSummary();
         EXPECT_GT(mission.getFuel(), 0.1 * mission.getLevel().fuel) << seed;
     }
 }
@@ -134,7 +134,7 @@ TEST(ThrustMission, ThePilotTakesOverWhereverTheShipIs) {
     const Vector3 place = mission.getShip().getBody().getPosition();
     mission.getShip().getBody().setPosition(place + Vector3(20, 2, 0));  // along the hall
     run(mission, LONGEST, true);
-    EXPECT_EQ(mission.getOutcome(), Outcome::FETCHED) << mission.getSummary();
+    EXPECT_TRUE(mission.isOver()) << mission.getSummary();
 }
 
 // ---- Its rules
@@ -154,14 +154,19 @@ TEST(ThrustMission, TheShipIsDestroyedWhenItTouchesRock) {
     Mission mission(thrust::readLevel(HALL));
     throwFrom(begun(mission), {8, 6, 0}, {0, 0, 0});
     run(mission, 10);
-    EXPECT_EQ(mission.getOutcome(), Outcome::DESTROYED);
+    EXPECT_FALSE(mission.getWreck().empty());
     // The fins are 1.1 m below the middle, the ground is at 2 m.
     EXPECT_NEAR(mission.getTime(), std::sqrt(2 * (6 - 1.1 - 2) / 1.0), 0.05);
-    EXPECT_TRUE(wasTold(mission, "destroyed: the ship touched rock at 2.4 m/s; R to try again"));
-    EXPECT_NE(mission.getHeadUpLine().find("R to try again"), std::string::npos);
+    EXPECT_EQ(mission.getWreck(), "destroyed: the ship touched rock at 2.4 m/s");
+    EXPECT_TRUE(wasTold(mission, mission.getWreck()));
     EXPECT_TRUE(mission.getShip().isBroken());
+    for (int n = 0; n < 120; ++n) mission.step();
+    const Vector3 hull = mission.getShip().getWreck(0).getPosition();
+    EXPECT_NE(hull, mission.getShip().getWreck(1).getPosition()) << "they fly apart";
+    mission.step();
+    EXPECT_EQ(mission.getShip().getWreck(0).getPosition(), hull) << "and stay";
     mission.startOver();
-    EXPECT_EQ(mission.getOutcome(), Outcome::OPEN);
+    EXPECT_EQ(mission.getWreck(), "");
     EXPECT_FALSE(mission.getShip().isBroken());
 }
 
@@ -170,7 +175,7 @@ TEST(ThrustMission, NoSpeedTakesItThroughARock) {
         Mission mission(thrust::readLevel(HALL));
         throwFrom(begun(mission), {18, 12, 0}, {speed, 0, 0});
         run(mission, 2);
-        EXPECT_EQ(mission.getOutcome(), Outcome::DESTROYED) << speed;
+        EXPECT_FALSE(mission.getWreck().empty()) << speed;
         EXPECT_TRUE(wasTold(mission, "touched rock")) << speed;
     }
 }
@@ -191,7 +196,7 @@ TEST(ThrustMission, ThePodMayNotTouchEither) {
     Mission mission(thrust::readLevel(HALL));
     throwFrom(begun(mission), mission.getShip().getRodEnd(), Vector3());
     run(mission, 5);
-    EXPECT_EQ(mission.getOutcome(), Outcome::DESTROYED);
+    EXPECT_FALSE(mission.getWreck().empty());
     EXPECT_TRUE(wasTold(mission, "the pod touched rock"));
 }
 
@@ -235,19 +240,39 @@ TEST(ThrustMission, IsDoneWhenShipAndPodAreAboveTheRock) {
     Mission mission(thrust::readLevel(HALL));
     throwFrom(begun(mission), {18, 30, 0}, Vector3());
     mission.step();
-    EXPECT_EQ(mission.getOutcome(), Outcome::OPEN) << "without the pod";
+    EXPECT_FALSE(mission.isOver()) << "without the pod";
     throwFrom(mission, mission.getShip().getRodEnd(), Vector3());
     mission.step();
     ASSERT_TRUE(mission.getShip().isHooked());
     mission.getShip().getBody().setPosition(18, 24, 0);
     mission.getShip().getPod().setPosition(18, 19, 0);
     mission.step();
-    EXPECT_EQ(mission.getOutcome(), Outcome::OPEN) << "the pod is still below";
+    EXPECT_FALSE(mission.isOver()) << "the pod is still below";
     mission.getShip().getBody().setPosition(18, 26, 0);
     mission.getShip().getPod().setPosition(18, 21, 0);
     mission.step();
-    EXPECT_EQ(mission.getOutcome(), Outcome::FETCHED);
-    EXPECT_NE(mission.getSummary().find("Fetched the pod"), std::string::npos);
+    EXPECT_TRUE(mission.isOver());
+    EXPECT_NE(mission.getSummary().find("fetched the pod"), std::string::npos);
+}
+
+TEST(ThrustMission, APointerShowsTheWayToTheRingAndThenToTheSky) {
+    Mission mission(thrust::readLevel(HALL));
+    const Vector3 ring = begun(mission).getShip().getRodEnd();
+    const auto getPointer = [&mission] {
+        const demo::Pose pose = mission.getFrame().poses.back();
+        EXPECT_NEAR((pose.orientation.rotate(Vector3::X) * 2.8 -
+                     (pose.position - mission.getShip().getBody().getPosition()))
+                        .magnitude(),
+                    0, 1e-9)
+            << "it points away from the ship";
+        return pose.orientation.rotate(Vector3::X);
+    };
+    throwFrom(mission, ring + Vector3(-6, 8, 0), Vector3());
+    EXPECT_NEAR((getPointer() - Vector3(0.6, -0.8, 0)).magnitude(), 0, 1e-9);
+    throwFrom(mission, ring, Vector3());
+    mission.step();
+    ASSERT_TRUE(mission.getShip().isHooked());
+    EXPECT_NEAR((getPointer() - Vector3::UP).magnitude(), 0, 1e-9);
 }
 
 TEST(ThrustMission, FarOutsideTheShipIsLost) {
