@@ -57,8 +57,7 @@ public:
     explicit Finder(const Lines &all) {
         for (line = 0; line < all.size(); ++line) {
             code = codeOf(all[line]);
-            if (code.find("static_assert") != std::string::npos || code.find("= delete") != std::string::npos)
-                continue;
+            if (!mayMatter()) continue;
             findOperators();
             findSigns();
             findConditions();
@@ -70,6 +69,13 @@ public:
     const std::vector<Change> &get() const { return changes; }
 
 private:
+    /// Prefetches change nothing but the speed.
+    bool mayMatter() const {
+        for (const char *word : {"static_assert", "= delete", "prefetch", "PREFETCH"})
+            if (code.find(word) != std::string::npos) return false;
+        return true;
+    }
+
     void add(std::size_t begin, std::size_t length, const std::string &replacement) {
         changes.push_back({line, begin, length, replacement});
     }
@@ -156,6 +162,7 @@ private:
         for (std::size_t open = code.find('('); open != std::string::npos; open = code.find('(', open + 1)) {
             const std::size_t close = closingOf(code, open);
             if (open == 0 || !isWordCharacter(code[open - 1]) || close == std::string::npos) continue;
+            if (isCommutative(open)) continue;
             const std::vector<std::size_t> commas = commasBetween(open, close);
             if (commas.empty() || code.find(';', open) < close) continue;
             const std::size_t second = commas.size() > 1 ? commas[1] : close;
@@ -164,6 +171,16 @@ private:
             if (a != b && a.find('"') == std::string::npos && b.find('"') == std::string::npos)
                 add(open + 1, second - open - 1, b + ", " + a);
         }
+    }
+    /// Whether the function that is called here gives the same for either order, to the last bit.
+    bool isCommutative(std::size_t open) const {
+        std::size_t begin = open;
+        while (begin > 0 && isWordCharacter(code[begin - 1])) --begin;
+        const std::string name = code.substr(begin, open - begin);
+        for (const char *each :
+             {"min", "max", "sum", "product", "add", "multiply", "multiply_high", "cosineBetween"})
+            if (name == each) return true;
+        return false;
     }
     std::vector<std::size_t> commasBetween(std::size_t open, std::size_t close) const {
         std::vector<std::size_t> commas;
