@@ -189,6 +189,16 @@ TEST(WingSection, RefusesWhatNoWingHas) {
     EXPECT_THROW(WingSection().getCoefficients(0, 0, 1.1), std::invalid_argument);
 }
 
+TEST(WingSection, MayBeWithoutDrag) {
+    WingSection section;
+    section.leastDrag = 0;
+    EXPECT_EQ(section.findError(), nullptr);
+    EXPECT_NEAR(section.getCoefficients(0).drag, 0, 1e-15);
+    section.plateDrag = 0;
+    EXPECT_EQ(section.findError(), nullptr);
+    EXPECT_NEAR(section.getCoefficients(REAL_PI / 2).drag, 0, 1e-15);
+}
+
 // ---- The wing
 
 TEST(Wing, LiftsAsAnEllipticWingOfItsAspectRatio) {
