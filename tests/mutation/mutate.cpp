@@ -88,7 +88,11 @@ private:
             {" % ", " * "},   {"true", "false"}, {"false", "true"}};
         for (const auto &[from, to] : SWAPS)
             for (std::size_t n = code.find(from); n != std::string::npos; n = code.find(from, n + 1))
-                add(n, std::string(from).size(), to);
+                if (!joinsTexts(n, std::string(from).size())) add(n, std::string(from).size(), to);
+    }
+    bool joinsTexts(std::size_t begin, std::size_t length) const {
+        const std::string neighbours = code.substr(begin - (begin > 0), 1) + code.substr(begin + length, 1);
+        return neighbours.find_first_of("\"'") != std::string::npos;
     }
 
     /// -x becomes x.
@@ -168,9 +172,17 @@ private:
             const std::size_t second = commas.size() > 1 ? commas[1] : close;
             const std::string a = code.substr(open + 1, commas[0] - open - 1);
             const std::string b = code.substr(commas[0] + 2, second - commas[0] - 2);
+            if (isParameter(a) || isParameter(b)) continue;
             if (a != b && a.find('"') == std::string::npos && b.find('"') == std::string::npos)
                 add(open + 1, second - open - 1, b + ", " + a);
         }
+    }
+    /// A type and a name, not an expression.
+    static bool isParameter(const std::string &argument) {
+        const std::size_t space = argument.rfind(' ');
+        return space != std::string::npos && space > 0 && space + 1 < argument.size() &&
+               (isWordCharacter(argument[space - 1]) || argument[space - 1] == '>') &&
+               (isWordCharacter(argument[space + 1]) || std::string("&*").find(argument[space + 1]) < 2);
     }
     /// Whether the function that is called here gives the same for either order, to the last bit.
     bool isCommutative(std::size_t open) const {
