@@ -36,8 +36,8 @@ build_all() {
     done
     wait
     $link -shared "$work"/src/*.o -o "$work/libcyclone.so"
-    $link "$work"/tests/*.o "$work/golden/scene.o" "$work/libcyclone.so" -lgtest -lgtest_main -o "$work/all_tests"
-    $link "$work"/golden/*.o "$work/libcyclone.so" -o "$work/all_golden"
+    $link "$work"/tests/*.o "$work/golden/scene.o" -L"$work" -lcyclone -lgtest -lgtest_main -o "$work/all_tests"
+    $link "$work"/golden/*.o -L"$work" -lcyclone -o "$work/all_golden"
 }
 
 # The tests of the header that the source belongs to, to be run first.
@@ -45,23 +45,25 @@ nearest_tests() { # name of the source
     sed -nE 's/^(TEST|TEST_F|TEST_P)\((\w+),.*/*\2.*/p' "$root"/tests/*/"$1_test.cpp" 2>/dev/null | sort -u | paste -sd:
 }
 
-# With the library that is in the folder; in eight times the time that all tests take together at first.
-passes() { # folder, program, arguments…
-    (ulimit -v 8000000; cd "$1" && LD_LIBRARY_PATH=$1 timeout "$patience" "$work/$2" "${@:3}") 2>/dev/null
+# With the library that is in the folder, and so many seconds of a processor's time; waiting may take 20 times as long.
+passes() { # folder, seconds, program, arguments…
+    (ulimit -v 8000000 -t "$2"; cd "$1" && LD_LIBRARY_PATH=$1 timeout $((20 * $2)) "$work/$3" "${@:4}") 2>/dev/null
 }
-passes_tests() { # folder, filter
-    passes "$1" all_tests --gtest_fail_fast --gtest_filter="$2" >/dev/null
+passes_tests() { # folder, seconds, filter
+    passes "$1" "$2" all_tests --gtest_fail_fast --gtest_filter="$3" >/dev/null
 }
 
-# Sets `slow` to the tests that take a twentieth of a second and more, to be run last.
+# Sets `slow` to the tests that take a twentieth of a second and more, to be run last, and `patience` to the time for
+# them.
 time_tests() {
-    patience=600 SECONDS=0
-    if ! passes "$work" all_tests >"$work/times" || ! passes "$work" all_golden >/dev/null; then
+    local TIMEFORMAT=%0U
+    if ! patience=$( { time passes "$work" 600 all_tests >"$work/times"; } 2>&1) ||
+        ! passes "$work" 600 all_golden >/dev/null; then
         echo "Without any change the tests fail:"
         grep -E '^\[  FAILED' "$work/times"
         exit 1
     fi
-    patience=$((10 + 8 * SECONDS))
+    patience=$((10 + 2 * patience))
     slow=$(sed -nE 's/^\[ +OK \] ([^ ,]+).* \(([5-9][0-9]|[0-9]{3,}) ms\)/\1/p' "$work/times" | paste -sd:)
 }
 
@@ -76,13 +78,13 @@ try() { # number of the mutant, name of the source, number of its change
         result="same code"
     elif ! $link -shared $(printf '%s\n' "$work"/src/*.o | grep -v "/$2.o$") "$at/$2.o" -o "$at/libcyclone.so" 2>/dev/null; then
         result="does not build"
-    elif ! passes_tests "$at" "$(nearest_tests "$2")" || ! passes_tests "$at" "-$slow"; then
+    elif ! passes_tests "$at" 15 "$(nearest_tests "$2")" || ! passes_tests "$at" 15 "-$slow"; then
         result="killed"
-    elif ! passes "$at" all_golden >/dev/null; then
+    elif ! passes "$at" 15 all_golden >/dev/null; then
         result="killed by the golden number"
     elif grep -qxF -f "$at/change" "$root/tests/mutation/survivors.txt"; then
         result="explained"
-    elif ! passes_tests "$at" "$slow"; then
+    elif ! passes_tests "$at" "$patience" "$slow"; then
         result="killed"
     fi
     echo "$result" >"$at/result"
