@@ -15,6 +15,7 @@ trap 'rm -rf "$work"' EXIT
 count=${1:-300} only=${2:-} jobs_at_once=${JOBS:-$(nproc)}
 compile="${CXX:-g++} -std=c++17 -O1 -ffp-contract=off -fno-math-errno -I$root/include -iquote $root/src
     -I$root/tests/support -iquote $root/tests -pthread"
+of_library="-fPIC -fsanitize=bounds -fsanitize-undefined-trap-on-error"  # indices out of bounds end the program
 link="$compile $(! command -v ld.lld >/dev/null || echo -fuse-ld=lld)"
 
 wait_for_turn() { while [ "$(jobs -rp | wc -l)" -ge "$jobs_at_once" ]; do wait -n || true; done; }
@@ -27,12 +28,11 @@ build_all() {
     for source in "$root"/src/*.cpp "$root"/tests/golden/*.cpp "$root"/tests/*/*_test.cpp; do
         folder=tests options="-DCYCLONE_TEST_DATA=\"$root/tests/data\""
         case $source in
-        "$root"/src/*) folder=src options=-fPIC ;;
+        "$root"/src/*) folder=src options=$of_library ;;
         */golden/*) folder=golden ;;
         esac
         wait_for_turn
-        $compile "$options" -c "$source" \
-            -o "$work/$folder/$(basename "$source" .cpp).o" &
+        $compile $options -c "$source" -o "$work/$folder/$(basename "$source" .cpp).o" &
     done
     wait
     $link -shared "$work"/src/*.o -o "$work/libcyclone.so"
@@ -72,7 +72,7 @@ try() { # number of the mutant, name of the source, number of its change
     local at=$work/mutant$1 result=survived
     mkdir "$at"
     "$work/mutate" "$root/src/$2.cpp" "$3" >"$at/$2.cpp" 2>"$at/change"
-    if ! $compile -fPIC -c "$at/$2.cpp" -o "$at/$2.o" 2>/dev/null; then
+    if ! $compile $of_library -c "$at/$2.cpp" -o "$at/$2.o" 2>/dev/null; then
         result="does not build"
     elif cmp -s "$at/$2.o" "$work/src/$2.o"; then
         result="same code"
