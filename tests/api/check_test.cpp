@@ -142,6 +142,15 @@ const BadCall MASS[] = {
      [](Scene &s) { s.body.setInverseInertiaTensor(MATRIX_NAN); }},
     {"RigidBody::setInverseInertiaTensor", "finite", "inf",
      [](Scene &s) { s.body.setInverseInertiaTensor(MATRIX_INF); }},
+    {"Matrix3::setBlockInertiaTensor", "half sizes", "(0, 2, 3)",
+     [](Scene &) { Matrix3().setBlockInertiaTensor(Vector3(0, 2, 3), 1); }},
+    {"Matrix3::setBlockInertiaTensor", "half sizes", "(1, 0, 3)",
+     [](Scene &) { Matrix3().setBlockInertiaTensor(Vector3(1, 0, 3), 1); }},
+    {"Matrix3::setBlockInertiaTensor", "half sizes", "(1, 2, 0)",
+     [](Scene &) { Matrix3().setBlockInertiaTensor(Vector3(1, 2, 0), 1); }},
+    {"Matrix3::setBlockInertiaTensor", "half sizes", "(1, 2, -inf)",
+     [](Scene &) { Matrix3().setBlockInertiaTensor(POINT_INF, 1); }},
+    {"Matrix3::setBlockInertiaTensor", "mass", "0", [](Scene &) { Matrix3().setBlockInertiaTensor(P, 0); }},
 };
 
 const BadCall MOTION[] = {

@@ -241,11 +241,15 @@ TEST(AxisConvention, WhatIsRefused) {
     EXPECT_THROW(AxisConvention(x, y, y), std::invalid_argument);
     EXPECT_THROW(AxisConvention(x, y, z * 2), std::invalid_argument);
     EXPECT_THROW(AxisConvention(x, y, Vector3(0, 1e-3, 1)), std::invalid_argument);
+    EXPECT_THROW(AxisConvention(x, y, Vector3(0, 1.1e-6, 1)), std::invalid_argument);
+    EXPECT_NO_THROW(AxisConvention(x, y, Vector3(0, 1e-6, 1)));
     EXPECT_THROW(AxisConvention(x, y, Vector3(QUIET_NAN, 0, 1)), std::invalid_argument);
     EXPECT_THROW(AxisConvention(x, y, z, 0), std::invalid_argument);
     EXPECT_THROW(AxisConvention(x, y, z, -1), std::invalid_argument);
     EXPECT_THROW(AxisConvention(x, y, z, QUIET_NAN), std::invalid_argument);
     EXPECT_THROW(AxisConvention(x, y, z, PLUS_INFINITY), std::invalid_argument);
+    EXPECT_THROW(AxisConvention(x, y, z, 1e-310), std::invalid_argument) << "a metre in a unit is none";
+    EXPECT_NO_THROW(AxisConvention(x, y, z, REAL_MAX));
     EXPECT_NO_THROW(AxisConvention(x, y, -z, 100));
     AxisConvention frame;
     EXPECT_THROW(frame.setOrigin(Vector3(0, PLUS_INFINITY, 0)), std::invalid_argument);

@@ -185,6 +185,7 @@ TEST(BodyState, ThatNoBodyCanBeInIsRefused) {
         {"position", [](State &s) { s.position.y = QUIET_NAN; }},
         {"orientation", [](State &s) { s.orientation.r *= 1 + 1e-13; }},
         {"orientation", [](State &s) { s.orientation = Quaternion(0, 0, 0, 0); }},
+        {"orientation", [](State &s) { s.orientation = Quaternion(1 + 16 * REAL_EPSILON, 0x1p-26, 0, 0); }},
         {"velocity", [](State &s) { s.velocity.x = PLUS_INFINITY; }},
         {"rotation", [](State &s) { s.rotation.x = QUIET_NAN; }},
         {"angular momentum", [](State &s) { s.angularMomentum.z = -PLUS_INFINITY; }},
@@ -226,6 +227,14 @@ TEST(BodyState, ThatNoBodyCanBeInIsRefused) {
         EXPECT_THROW(body.setState(state), std::invalid_argument) << c.word;
         EXPECT_EQ(bitsOf(body.getState()), before) << c.word;
     }
+}
+
+TEST(BodyState, MayBeOffByRounding) {
+    State state;
+    state.orientation = Quaternion(1 + 16 * REAL_EPSILON, 0, 0, 0);
+    EXPECT_EQ(state.findError(), nullptr) << "32 roundings of the square";
+    state.principalAxes = Quaternion(1 + 4 * REAL_EPSILON, 0, 0, 0);
+    EXPECT_EQ(state.findError(), nullptr) << "8 roundings of the square";
 }
 
 }  // namespace

@@ -66,6 +66,19 @@ TEST(Limits, GreaterRatiosAndExtremeMomentsAreRefusedByBothSetters) {
     EXPECT_NO_THROW(body.setInertiaTensor(diagonal(1e-99, 1e-99, 1e-99)));
 }
 
+/// 1e-100 to 1e100 kg·m², and 1e12 times the least.
+TEST(Limits, OfMomentsAreThoseOfTheRule) {
+    RigidBody body;
+    for (const real good : {1e-100, 1e100})
+        EXPECT_NO_THROW(body.setInertiaTensor(diagonal(good, good, good)));
+    for (const real bad : {0.9e-100, 1.1e100})
+        EXPECT_THROW(body.setInertiaTensor(diagonal(bad, bad, bad)), std::invalid_argument) << bad;
+    EXPECT_NO_THROW(body.setInertiaTensor(diagonal(1e12, 2, 1)));
+    EXPECT_THROW(body.setInertiaTensor(diagonal(1.1e12, 2, 1)), std::invalid_argument);
+    EXPECT_NO_THROW(body.setInverseInertiaTensor(diagonal(1e-100, 0, 0)));
+    EXPECT_THROW(body.setInverseInertiaTensor(diagonal(0.9e-100, 0, 0)), std::invalid_argument);
+}
+
 // ---- Mass, motion and place
 
 TEST(Limits, TheGreatestMassIsStillOne) {

@@ -328,6 +328,11 @@ TEST(MassProperties, WhatIsRefused) {
                  .placedAt(Vector3(REAL_MAX, 0, 0))
                  .placedAt(Vector3(REAL_MAX, 0, 0));
          }},
+        {"MassProperties::applyTo: the mass",
+         [&] {
+             RigidBody body;
+             MassProperties().applyTo(body);
+         }},
         {"MassProperties::operator+: the sum", [&] {
              MassProperties::sphere(1, one) + MassProperties::sphere(1, one).placedAt(Vector3(0, 1e200, 0));
          }}};

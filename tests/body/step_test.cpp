@@ -236,6 +236,18 @@ TEST(ForcedMotion, FloatingBodyBobs) {
     }
 }
 
+/// From rest, as ∫A·d^t dt says, for dampings at which it takes a series and others.
+TEST(ForcedMotion, DampedAccelerationIsIntegratedExactly) {
+    for (const real damping : {0.999, 0.95, 0.9, 0.8, 0.1}) {
+        RigidBody body;
+        body.setLinearDamping(damping);
+        body.setAcceleration(2, 0, 0);
+        advance(body, 1);
+        const real rate = -std::log(damping), wanted = 2 * -std::expm1(-rate * STEP) / rate;
+        EXPECT_NEAR(body.getVelocity().x, wanted, 1e-12 * wanted) << damping;
+    }
+}
+
 namespace {
 
 /// The weight of a top whose pivot is the body's origin, as a torque.

@@ -1,6 +1,8 @@
 /// Resistance of any strength: the motion through the medium never grows, and ends at the terminal velocity.
 #include <cyclone/aero.h>
+#include <cyclone/buoyancy.h>
 #include <cyclone/propulsion.h>
+#include <cyclone/wing.h>
 #include <cyclone/world.h>
 #include <gtest/gtest.h>
 
@@ -277,6 +279,33 @@ TEST(Resistance, LeavesLockedAxesAndImmovableBodiesAlone) {
         }
         EXPECT_EQ(wall.getVelocity(), Vector3(1, 2, 3));
         EXPECT_TRUE(isNear(wall.getRotation(), Vector3(3, 2, 1), 1e-9));
+    }
+}
+
+/// What is weak for a heavy rod is strong for its turning, which is easy, when it acts far from the centre.
+TEST(Resistance, AtTheEndOfALongArmStopsTheTurning) {
+    const Vector3 end(-5, 0, 0);
+    Aero paddle(isotropic(100), end, nullptr);
+    paddle.setRotationalFlow(true);
+    const Buoyancy hull(end, 1, 1, 100);
+    HullDrag hullDrag(&hull, end, Vector3(100, 100, 100), Vector3());
+    Wing tail(1, 1, end, nullptr);
+    for (ForceGenerator *force :
+         {static_cast<ForceGenerator *>(&paddle), static_cast<ForceGenerator *>(&hullDrag),
+          static_cast<ForceGenerator *>(&tail)}) {
+        RigidBody rod;
+        rod.setMass(1000);
+        rod.setInverseInertiaTensor(diagonal(0, 0, 1));
+        rod.setVelocity(30, 0, 0);
+        rod.setRotation(0, 0, 0.1);
+        ForceRegistry registry;
+        registry.add(&rod, force);
+        for (int n = 0; n < 240; ++n) {
+            registry.updateForces(H);
+            ASSERT_TRUE(rod.integrate(H));
+            ASSERT_LE(real_abs(rod.getRotation().z), 0.1) << "frame " << n;
+        }
+        EXPECT_LT(real_abs(rod.getRotation().z), 1e-3);
     }
 }
 

@@ -123,6 +123,50 @@ TEST(DampedBungee, LetsFallWhileItIsSlack) {
     EXPECT_NEAR(body->getVelocity().y, -9.81, 1e-12);
 }
 
+/// A rope without spring between two that drift apart brings them to one velocity, and no nearer.
+TEST(DampedBungee, BearsAnyDamping) {
+    for (real c = 1e-2; c < 1e10; c *= 10) {
+        World world;
+        RigidBody *const a = world.createBody(), *const b = world.createBody();
+        a->setMass(2);
+        b->setPosition(3, 0, 0);
+        b->setVelocity(3, 0, 0);
+        world.createSpring<Bungee>(a, Vector3(), b, Vector3(), 0, 0).setDamping(c);
+        real last = 3;
+        for (int n = 0; n < 240; ++n) {
+            run(world, 1);
+            const real parting = b->getVelocity().x - a->getVelocity().x;
+            ASSERT_LE(parting, last + 1e-12) << c << " N·s/m, frame " << n;
+            ASSERT_GE(parting, -1e-12) << c << " N·s/m, frame " << n;
+            last = parting;
+        }
+        ASSERT_NEAR(2 * a->getVelocity().x + b->getVelocity().x, 3, 1e-9);
+    }
+}
+
+/// A heavy rod that turns easily, held far from its centre and near it: the strength is that at the arm's
+/// end.
+TEST(DampedSpring, OfAnyStrengthStopsARodThatTurns) {
+    for (const real arm : {5.0, 0.1}) {
+        for (const real c : {1.0, 1e2, 1e4, 1e6}) {
+            World world;
+            RigidBody *const rod = world.createBody();
+            rod->setMass(1000);
+            rod->setRotation(0, 0, 0.1);
+            world.createForce<AnchoredSpring>(rod, Vector3(arm, 0, 0), Vector3(arm, 100, 0), 0, 0)
+                .setDamping(c);
+            for (int n = 0; n < 240; ++n) {
+                run(world, 1);
+                ASSERT_LE(rod->getRotation().magnitude(), 0.1 * (1 + 1e-12))
+                    << arm << " m, " << c << " N·s/m, frame " << n;
+            }
+            // The point's motion decays as e^{−c·(1/m + arm²)·t}.
+            const real pace = rod->getVelocityAtPoint(rod->getPointInWorldSpace(Vector3(arm, 0, 0))).y;
+            if (c * arm * arm > 10) ASSERT_NEAR(pace, 0, 1e-6) << arm << " m, " << c << " N·s/m";
+        }
+    }
+}
+
 /// What turns about the line, or across it, is not damped.
 TEST(DampedSpring, ResistsMotionAlongItsLineOnly) {
     RigidBody body;

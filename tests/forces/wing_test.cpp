@@ -2,7 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <functional>
+#include <string>
 #include <vector>
 
 #include "frames.h"
@@ -164,21 +164,27 @@ TEST(WingSection, CentreOfPressureGoesFromTheQuarterToTheThreeQuarterPoint) {
 }
 
 TEST(WingSection, RefusesWhatNoWingHas) {
-    const std::vector<std::function<void(WingSection &)>> errors = {
-        [](WingSection &s) { s.liftSlope = 0; },
-        [](WingSection &s) { s.liftSlope = INFINITE; },
-        [](WingSection &s) { s.stallAngle = 0; },
-        [](WingSection &s) { s.stallAngle = 1.6; },
-        [](WingSection &s) { s.zeroLiftAngle = 0.3; },
-        [](WingSection &s) { s.leastDrag = -0.01; },
-        [](WingSection &s) { s.plateDrag = -1; },
-        [](WingSection &s) { s.zeroLiftMoment = QUIET_NAN; },
-        [](WingSection &s) { s.zeroLiftAngle = QUIET_NAN; }};
-    for (const auto &spoil : errors) {
+    const struct {
+        const char *word;
+        void (*spoil)(WingSection &);
+    } errors[] = {{"slope", [](WingSection &s) { s.liftSlope = 0; }},
+                  {"slope", [](WingSection &s) { s.liftSlope = INFINITE; }},
+                  {"the stall must", [](WingSection &s) { s.stallAngle = 0; }},
+                  {"the stall must", [](WingSection &s) { s.stallAngle = REAL_PI / 2; }},
+                  {"zero-lift angle", [](WingSection &s) { s.zeroLiftAngle = s.stallAngle; }},
+                  {"zero-lift angle", [](WingSection &s) { s.zeroLiftAngle = -0.3; }},
+                  {"zero-lift angle", [](WingSection &s) { s.zeroLiftAngle = QUIET_NAN; }},
+                  {"least drag", [](WingSection &s) { s.leastDrag = -0.01; }},
+                  {"least drag", [](WingSection &s) { s.leastDrag = INFINITE; }},
+                  {"plate's drag", [](WingSection &s) { s.plateDrag = -1; }},
+                  {"plate's drag", [](WingSection &s) { s.plateDrag = INFINITE; }},
+                  {"zero-lift moment", [](WingSection &s) { s.zeroLiftMoment = QUIET_NAN; }}};
+    for (const auto &error : errors) {
         WingSection section;
         EXPECT_EQ(section.findError(), nullptr);
-        spoil(section);
-        EXPECT_NE(section.findError(), nullptr);
+        error.spoil(section);
+        ASSERT_NE(section.findError(), nullptr) << error.word;
+        EXPECT_NE(std::string(section.findError()).find(error.word), std::string::npos) << error.word;
         EXPECT_THROW(section.getCoefficients(0), std::invalid_argument);
         Wing wing(1, 1, Vector3(), nullptr);
         EXPECT_THROW(wing.setSection(section), std::invalid_argument);
@@ -187,6 +193,16 @@ TEST(WingSection, RefusesWhatNoWingHas) {
     EXPECT_THROW(WingSection().getCoefficients(QUIET_NAN), std::invalid_argument);
     EXPECT_THROW(WingSection().getCoefficients(0, INFINITE), std::invalid_argument);
     EXPECT_THROW(WingSection().getCoefficients(0, 0, 1.1), std::invalid_argument);
+}
+
+TEST(WingSection, MayBeWithoutDrag) {
+    WingSection section;
+    section.leastDrag = 0;
+    EXPECT_EQ(section.findError(), nullptr);
+    EXPECT_NEAR(section.getCoefficients(0).drag, 0, 1e-15);
+    section.plateDrag = 0;
+    EXPECT_EQ(section.findError(), nullptr);
+    EXPECT_NEAR(section.getCoefficients(REAL_PI / 2).drag, 0, 1e-15);
 }
 
 // ---- The wing

@@ -13,9 +13,16 @@ namespace {
 constexpr real PLUS_INFINITY = std::numeric_limits<real>::infinity();
 constexpr real QUIET_NAN = std::numeric_limits<real>::quiet_NaN();
 
-/// A little less than the one ulp that precision.h promises, so that a lost half of it is noticed;
-/// where long double has no digits to spare, the reference may err as well.
-constexpr long double TOLERANCE = std::numeric_limits<long double>::digits >= 64 ? 0.9L : 1.9L;
+/// What the error may be at most. precision.h promises one ulp; each function keeps a little of it in
+/// reserve, a loss of which is noticed. Where long double has no digits to spare, the reference may err as
+/// well.
+constexpr long double toleranceOf(long double reached) {
+    return std::numeric_limits<long double>::digits >= 64 ? reached : 1.9L;
+}
+/// Sums of two doubles are rounded once at the end; the last terms of a series before that.
+constexpr long double ROUNDED_ONCE = toleranceOf(0.51L), WITH_SERIES = toleranceOf(0.66L);
+/// Results that are subnormal are rounded twice, and the square in the cosine's first term is, too.
+constexpr long double ROUNDED_TWICE = toleranceOf(0.8L);
 
 /// The error of a result in units of the last place of the wanted value.
 long double ulps(real got, long double want) {
@@ -30,19 +37,20 @@ long double ulps(real got, long double want) {
 
 /// Remembers the worst of many comparisons.
 struct Worst {
+    const long double tolerance;
     long double error = 0;
-    std::string where;
+    std::string where = std::string();
 
     void compare(real got, long double want, real x, real y = 0) {
         const long double e = ulps(got, want);
-        if (e <= error) return;
+        if (e <= error || (e < ROUNDED_TWICE && std::fabs(want) < 0x1p-1022L)) return;
         error = e;
         char text[128];
         std::snprintf(text, sizeof text, "at %a, %a: %a instead of %La", x, y, got, want);
         where = text;
     }
 
-    ~Worst() { EXPECT_LT(error, TOLERANCE) << "ulp " << where; }
+    ~Worst() { EXPECT_LT(error, tolerance) << "ulp " << where; }
 };
 
 /// Evenly distributed 64-bit numbers (Steele, Lea and Flood, "Fast splittable pseudorandom number
@@ -111,7 +119,7 @@ TEST(PrecisionTest, ClampsAndTellsFiniteNumbers) {
 
 TEST(PrecisionTest, ExpIsAccurate) {
     Generator random{1};
-    Worst worst;
+    Worst worst{WITH_SERIES};
     const auto check = [&](real x) { worst.compare(real_exp(x), std::exp(static_cast<long double>(x)), x); };
     for (int i = 0; i < SWEEP; ++i) {
         check(random.between(-1, 1));
@@ -123,7 +131,7 @@ TEST(PrecisionTest, ExpIsAccurate) {
 
 TEST(PrecisionTest, LogIsAccurate) {
     Generator random{2};
-    Worst worst;
+    Worst worst{ROUNDED_ONCE};
     const auto check = [&](real x) { worst.compare(real_log(x), std::log(static_cast<long double>(x)), x); };
     for (int i = 0; i < SWEEP; ++i) {
         check(random.between(0.5, 2));
@@ -135,7 +143,7 @@ TEST(PrecisionTest, LogIsAccurate) {
 
 TEST(PrecisionTest, PowIsAccurate) {
     Generator random{3};
-    Worst worst;
+    Worst worst{WITH_SERIES};
     const auto check = [&](real x, real y) {
         worst.compare(real_pow(x, y), std::pow(static_cast<long double>(x), static_cast<long double>(y)), x,
                       y);
@@ -157,7 +165,7 @@ TEST(PrecisionTest, PowIsAccurate) {
 
 TEST(PrecisionTest, SineAndCosineAreAccurate) {
     Generator random{4};
-    Worst sine, cosine;
+    Worst sine{ROUNDED_TWICE}, cosine{ROUNDED_TWICE};
     const auto check = [&](real x) {
         sine.compare(real_sin(x), std::sin(static_cast<long double>(x)), x);
         cosine.compare(real_cos(x), std::cos(static_cast<long double>(x)), x);
@@ -175,7 +183,7 @@ TEST(PrecisionTest, SineAndCosineAreAccurate) {
 
 TEST(PrecisionTest, Atan2IsAccurate) {
     Generator random{5};
-    Worst worst;
+    Worst worst{ROUNDED_ONCE};
     const auto check = [&](real y, real x) {
         worst.compare(real_atan2(y, x), std::atan2(static_cast<long double>(y), static_cast<long double>(x)),
                       y, x);
@@ -195,7 +203,7 @@ TEST(PrecisionTest, Atan2IsAccurate) {
 
 TEST(PrecisionTest, AsinAndAcosAreAccurate) {
     Generator random{6};
-    Worst sine, cosine;
+    Worst sine{ROUNDED_ONCE}, cosine{ROUNDED_ONCE};
     const auto check = [&](real x) {
         sine.compare(real_asin(x), std::asin(static_cast<long double>(x)), x);
         cosine.compare(real_acos(x), std::acos(static_cast<long double>(x)), x);

@@ -57,8 +57,7 @@ public:
     explicit Finder(const Lines &all) {
         for (line = 0; line < all.size(); ++line) {
             code = codeOf(all[line]);
-            if (code.find("static_assert") != std::string::npos || code.find("= delete") != std::string::npos)
-                continue;
+            if (!mayMatter()) continue;
             findOperators();
             findSigns();
             findConditions();
@@ -70,6 +69,13 @@ public:
     const std::vector<Change> &get() const { return changes; }
 
 private:
+    /// Prefetches change nothing but the speed.
+    bool mayMatter() const {
+        for (const char *word : {"static_assert", "= delete", "prefetch", "PREFETCH"})
+            if (code.find(word) != std::string::npos) return false;
+        return true;
+    }
+
     void add(std::size_t begin, std::size_t length, const std::string &replacement) {
         changes.push_back({line, begin, length, replacement});
     }
@@ -82,7 +88,11 @@ private:
             {" % ", " * "},   {"true", "false"}, {"false", "true"}};
         for (const auto &[from, to] : SWAPS)
             for (std::size_t n = code.find(from); n != std::string::npos; n = code.find(from, n + 1))
-                add(n, std::string(from).size(), to);
+                if (!joinsTexts(n, std::string(from).size())) add(n, std::string(from).size(), to);
+    }
+    bool joinsTexts(std::size_t begin, std::size_t length) const {
+        const std::string neighbours = code.substr(begin - (begin > 0), 1) + code.substr(begin + length, 1);
+        return neighbours.find_first_of("\"'") != std::string::npos;
     }
 
     /// -x becomes x.
@@ -156,14 +166,33 @@ private:
         for (std::size_t open = code.find('('); open != std::string::npos; open = code.find('(', open + 1)) {
             const std::size_t close = closingOf(code, open);
             if (open == 0 || !isWordCharacter(code[open - 1]) || close == std::string::npos) continue;
+            if (isCommutative(open)) continue;
             const std::vector<std::size_t> commas = commasBetween(open, close);
             if (commas.empty() || code.find(';', open) < close) continue;
             const std::size_t second = commas.size() > 1 ? commas[1] : close;
             const std::string a = code.substr(open + 1, commas[0] - open - 1);
             const std::string b = code.substr(commas[0] + 2, second - commas[0] - 2);
+            if (isParameter(a) || isParameter(b)) continue;
             if (a != b && a.find('"') == std::string::npos && b.find('"') == std::string::npos)
                 add(open + 1, second - open - 1, b + ", " + a);
         }
+    }
+    /// A type and a name, not an expression.
+    static bool isParameter(const std::string &argument) {
+        const std::size_t space = argument.rfind(' ');
+        return space != std::string::npos && space > 0 && space + 1 < argument.size() &&
+               (isWordCharacter(argument[space - 1]) || argument[space - 1] == '>') &&
+               (isWordCharacter(argument[space + 1]) || std::string("&*").find(argument[space + 1]) < 2);
+    }
+    /// Whether the function that is called here gives the same for either order, to the last bit.
+    bool isCommutative(std::size_t open) const {
+        std::size_t begin = open;
+        while (begin > 0 && isWordCharacter(code[begin - 1])) --begin;
+        const std::string name = code.substr(begin, open - begin);
+        for (const char *each :
+             {"min", "max", "sum", "product", "add", "multiply", "multiply_high", "cosineBetween"})
+            if (name == each) return true;
+        return false;
     }
     std::vector<std::size_t> commasBetween(std::size_t open, std::size_t close) const {
         std::vector<std::size_t> commas;

@@ -140,6 +140,9 @@ TEST(FixedStep, RefusesBadArguments) {
         EXPECT_THROW(FixedStep(step, 1), std::invalid_argument) << step;
     for (real longest : {0.0, -1.0, 0.009, 1e5, PLUS_INFINITY, QUIET_NAN})
         EXPECT_THROW(FixedStep(0.01, longest), std::invalid_argument) << longest;
+    EXPECT_THROW(FixedStep(0.5, 0.55e6), std::invalid_argument);
+    EXPECT_NO_THROW(FixedStep(0.5, 0.5e6));
+    EXPECT_NO_THROW(FixedStep(0.5, 0.5));
     FixedStep clock(1.0 / 64, 1);
     clock.advance(0.5 / 64);
     for (real elapsed : {-1e-9, PLUS_INFINITY, QUIET_NAN})

@@ -137,6 +137,23 @@ TEST_F(OwnedForces, ThatEndAndComeAgainInOneCallAreStillTheWorlds) {
     EXPECT_EQ(alive, 0);
 }
 
+TEST_F(OwnedForces, MayEndAndComeAgainWhileOthersEnd) {
+    Push &again = world.createForce<Push>(body, 1, alive), &last = world.createForce<Push>(body, 1, alive);
+    last.deed = [&] {
+        world.getForceRegistry().remove(body, &again);
+        world.destroyForce(last);
+        world.getForceRegistry().add(body, &again);
+        EXPECT_EQ(alive, 2);
+        last.newtons = 7;  // still there
+    };
+    run(world, 1);
+    EXPECT_EQ(alive, 1);
+    run(world, 1);
+    EXPECT_EQ(alive, 1);
+    world.destroyForce(again);
+    EXPECT_EQ(alive, 0);
+}
+
 TEST_F(OwnedForces, MayEndOthersWithThem) {
     class Chain : public ForceGenerator {
     public:

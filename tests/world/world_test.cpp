@@ -127,6 +127,35 @@ TEST(World, RegistrationsGoWithTheirBody) {
     EXPECT_EQ(mine.getVelocity(), Vector3());
 }
 
+TEST(World, ClearedItIsEmptyAndTakesTheSameBodiesAgain) {
+    World world;
+    RigidBody mine, faulty;
+    world.addBody(&mine);
+    world.createBody();
+    world.addBody(&faulty);
+    world.createForce<Gravity>(&mine);
+    faulty.addForce(Vector3(QUIET_NAN, 0, 0));
+    world.runPhysics(STEP);
+    ASSERT_EQ(world.getFaultedBodies().size(), 1U);
+    Snapshot full, empty;
+    world.saveState(full);
+    world.saveState(empty);
+
+    world.clear();
+    EXPECT_TRUE(world.getBodies().empty());
+    EXPECT_TRUE(world.getFaultedBodies().empty());
+    EXPECT_EQ(world.getForceRegistry().size(), 0U);
+    EXPECT_FALSE(world.removeBody(&mine));
+    world.saveState(empty);
+    world.addBody(&mine);
+    world.addBody(&faulty);
+    EXPECT_EQ(world.getBodies(), (World::RigidBodies{&mine, &faulty}));
+    world.restoreState(full);
+    EXPECT_EQ(world.getBodies().size(), 3U);
+    world.restoreState(empty);
+    EXPECT_TRUE(world.getBodies().empty());
+}
+
 TEST(World, StartFrameDropsWhatWasAddedBefore) {
     World world;
     RigidBody *body = world.createBody();
