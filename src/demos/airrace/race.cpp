@@ -11,9 +11,7 @@ namespace airrace {
 namespace {
 
 constexpr real DEGREE = cyclone::REAL_PI / 180;
-constexpr real GUSTS_OF_WIND = 0.1;  // MIL-F-8785C: the vertical gusts' root mean square over the wind
-constexpr real WIND_HEIGHT = 10;     // m, that the wind is told for
-constexpr real STALL_MEMORY = 4;     // s: what hits the ground so soon after a stall has fallen
+constexpr real STALL_MEMORY = 4;  // s: what hits the ground so soon after a stall has fallen
 constexpr real NEWTONS_PER_METRE = 4000;
 constexpr Colour LIFT{255, 214, 64}, THRUST{255, 120, 90};
 const char *const FORCE_NAMES[] = {"port wing", "starboard wing", "tailplane", "fin", "thrust"};
@@ -21,12 +19,7 @@ const char *const FORCE_NAMES[] = {"port wing", "starboard wing", "tailplane", "
 }  // namespace
 
 Race::Race(const std::string &name)
-    : gradient(Vector3(), WIND_HEIGHT),
-      turbulence(0),
-      aircraft(Aircraft::make(name, world, &air)),
-      marshal(getCourse(), aircraft->getModel().span / 2) {
-    air.add(&gradient);
-    air.add(&turbulence);
+    : aircraft(Aircraft::make(name, world, &weather)), marshal(getCourse(), aircraft->getModel().span / 2) {
     fillProfile();
     fillScene();
     begin(1);
@@ -115,10 +108,8 @@ void Race::fillScene() {
 }
 
 void Race::prepare(std::uint64_t seed, const std::vector<real> &settings) {
-    const real from = settings.at(WIND_DIRECTION) * DEGREE, speed = settings.at(WIND_SPEED);
-    gradient = cyclone::WindGradient(Vector3(cyclone::real_cos(from), 0, cyclone::real_sin(from)) * -speed,
-                                     WIND_HEIGHT);
-    turbulence = cyclone::Turbulence(settings.at(GUSTS) / GUSTS_OF_WIND, seed);
+    const Vector3 windFrom = towardsBearing(settings.at(WIND_DIRECTION) * DEGREE) * settings.at(WIND_SPEED);
+    weather = Weather(seed, windFrom, settings.at(GUSTS));
     marshal = Marshal(getCourse(), aircraft->getModel().span / 2);
     best = kept;
     laps.clear();
@@ -145,7 +136,7 @@ void Race::beforeStep() {
     before = getPose();
     const Command command{getControl(BANK) * DEGREE, getControl(CLIMB) * DEGREE, getControl(THROTTLE)};
     aircraft->setSticks(stabiliser.hold(*aircraft, command, profile.step));
-    turbulence.advance(aircraft->getVelocityThroughAir(), before.position.y, profile.step);
+    weather.advance(aircraft->getVelocityThroughAir(), before.position.y, profile.step);
 }
 
 void Race::afterStep() {
@@ -233,7 +224,7 @@ std::vector<Arrow> Race::getArrows() const {
     return arrows;
 }
 
-Vector3 Race::getWindspeed() const { return -air.getVelocity(aircraft->getBody().getPosition()); }
+Vector3 Race::getWindspeed() const { return -weather.getVelocity(aircraft->getBody().getPosition()); }
 
 std::string Race::describeNextHoop() const {
     const std::size_t next = marshal.getNext();

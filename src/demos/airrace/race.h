@@ -5,6 +5,7 @@
 #include "airrace/marshal.h"
 #include "airrace/pilot.h"
 #include "models/attitude.h"
+#include "models/weather.h"
 #include "shell/demo.h"
 
 namespace airrace {
@@ -58,9 +59,7 @@ private:
     std::optional<real> getLapClock() const;
     std::string describeNextHoop() const;
 
-    cyclone::WindGradient gradient;
-    cyclone::Turbulence turbulence;
-    cyclone::WindSum air;
+    Weather weather;
     std::unique_ptr<Aircraft> aircraft;
     Stabiliser stabiliser;
     Pilot pilot;

@@ -1,8 +1,9 @@
-#include "flightsim/weather.h"
+#include "models/weather.h"
 
+#include "base/angle.h"
 #include "base/random.h"
 
-namespace flightsim {
+namespace demo {
 
 namespace {
 
@@ -16,15 +17,14 @@ constexpr real GUSTS_OF_WIND =
 Weather::Weather(std::uint64_t seed, const Vector3 &windFrom, real gusts, real lift)
     : gradient(-windFrom, 10), turbulence(gusts / GUSTS_OF_WIND, seed) {
     if (lift == 0) return;
-    demo::Random random(seed);
+    Random random(seed);
     for (int n = 0; n < THERMALS; ++n) {
         const real angle = 2 * cyclone::REAL_PI * (n + random.between(0, 0.7)) / THERMALS;
         const real distance = random.between(700, 2000);
-        const Vector3 foot(distance * cyclone::real_cos(angle), 0, distance * cyclone::real_sin(angle));
+        const Vector3 foot = towardsBearing(angle) * distance;
         thermals.emplace_back(foot, lift * random.between(0.8, 1.2), random.between(170, 240), CLOUD_BASE);
         const real drift = random.between(0, CLOUD_DRIFT), towards = random.between(0, 2 * cyclone::REAL_PI);
-        clouds.push_back(foot + Vector3(drift * cyclone::real_cos(towards), CLOUD_BASE,
-                                        drift * cyclone::real_sin(towards)));
+        clouds.push_back(foot + Vector3::UP * CLOUD_BASE + towardsBearing(towards) * drift);
     }
 }
 
@@ -38,4 +38,4 @@ Vector3 Weather::getVelocity(const Vector3 &worldPoint) const {
     return velocity;
 }
 
-}  // namespace flightsim
+}  // namespace demo
