@@ -20,7 +20,7 @@ const char *const FORCE_NAMES[] = {"port wing", "starboard wing", "tailplane", "
 }  // namespace
 
 Race::Race(const std::string &name)
-    : aircraft(Aircraft::make(name, world, &air)), marshal(getCourse(), aircraft->getModel().span / 2) {
+    : aircraft(Aircraft::make(name, world, &weather)), marshal(getCourse(), aircraft->getModel().span / 2) {
     fillProfile();
     fillScene();
     begin(1);
@@ -109,9 +109,8 @@ void Race::fillScene() {
 }
 
 void Race::prepare(std::uint64_t seed, const std::vector<real> &settings) {
-    const real from = settings.at(WIND_DIRECTION) * DEGREE, speed = settings.at(WIND_SPEED);
-    air = Breeze(Vector3(cyclone::real_cos(from), 0, cyclone::real_sin(from)) * speed, settings.at(GUSTS),
-                 seed);
+    const Vector3 windFrom = towardsBearing(settings.at(WIND_DIRECTION) * DEGREE) * settings.at(WIND_SPEED);
+    weather = Weather(seed, windFrom, settings.at(GUSTS));
     marshal = Marshal(getCourse(), aircraft->getModel().span / 2);
     best = kept;
     laps.clear();
@@ -138,7 +137,7 @@ void Race::beforeStep() {
     before = getPose();
     const Command command{getControl(BANK) * DEGREE, getControl(CLIMB) * DEGREE, getControl(THROTTLE)};
     aircraft->setSticks(stabiliser.hold(*aircraft, command, profile.step));
-    air.advance(aircraft->getVelocityThroughAir(), before.position.y, profile.step);
+    weather.advance(aircraft->getVelocityThroughAir(), before.position.y, profile.step);
 }
 
 void Race::afterStep() {
@@ -226,7 +225,7 @@ std::vector<Arrow> Race::getArrows() const {
     return arrows;
 }
 
-Vector3 Race::getWindspeed() const { return -air.getVelocity(aircraft->getBody().getPosition()); }
+Vector3 Race::getWindspeed() const { return -weather.getVelocity(aircraft->getBody().getPosition()); }
 
 std::string Race::describeNextHoop() const {
     const std::size_t next = marshal.getNext();

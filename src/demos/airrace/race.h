@@ -5,7 +5,7 @@
 #include "airrace/marshal.h"
 #include "airrace/pilot.h"
 #include "models/attitude.h"
-#include "models/breeze.h"
+#include "models/weather.h"
 #include "shell/demo.h"
 
 namespace airrace {
@@ -59,7 +59,7 @@ private:
     std::optional<real> getLapClock() const;
     std::string describeNextHoop() const;
 
-    Breeze air;
+    Weather weather;
     std::unique_ptr<Aircraft> aircraft;
     Stabiliser stabiliser;
     Pilot pilot;

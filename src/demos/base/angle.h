@@ -20,6 +20,11 @@ inline real bearing(const cyclone::Vector3 &worldDirection) {
     return cyclone::real_atan2(worldDirection.z, worldDirection.x);
 }
 
+/// The unit vector that way.
+inline cyclone::Vector3 towardsBearing(real bearing) {
+    return cyclone::Vector3(cyclone::real_cos(bearing), 0, cyclone::real_sin(bearing));
+}
+
 /// The length of a vector's part along the ground, as of a speed over it.
 inline real horizontalLength(const cyclone::Vector3 &v) { return cyclone::real_sqrt(v.x * v.x + v.z * v.z); }
 

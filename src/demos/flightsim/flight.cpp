@@ -86,8 +86,7 @@ void Flight::fillProfile() {
 }
 
 void Flight::prepare(std::uint64_t seed, const std::vector<real> &settings) {
-    const real from = settings.at(WIND_DIRECTION) * DEGREE, speed = settings.at(WIND_SPEED);
-    wind = Wind(Vector3(speed * cyclone::real_cos(from), 0, speed * cyclone::real_sin(from)),
+    wind = Wind(towardsBearing(settings.at(WIND_DIRECTION) * DEGREE) * settings.at(WIND_SPEED),
                 settings.at(GUSTS), GUST_MEMORY, profile.step, seed);
     log = FlightLog(RULES);
 }

@@ -91,8 +91,7 @@ void Soaring::fillProfile() {
 }
 
 void Soaring::prepare(std::uint64_t seed, const std::vector<real> &settings) {
-    const real from = settings.at(WIND_DIRECTION) * DEGREE, speed = settings.at(WIND_SPEED);
-    windFrom = Vector3(speed * cyclone::real_cos(from), 0, speed * cyclone::real_sin(from));
+    windFrom = towardsBearing(settings.at(WIND_DIRECTION) * DEGREE) * settings.at(WIND_SPEED);
     weather = Weather(seed, windFrom, settings.at(GUSTS), settings.at(LIFT));
     scene.fixtures = makeClouds(weather.getClouds());
     log = FlightLog(RULES);

@@ -3,7 +3,7 @@
 /// The demonstration that soars: the glider, an airfield, thermals under their clouds, and a pilot.
 #include "flightsim/flightlog.h"
 #include "flightsim/soarer.h"
-#include "flightsim/weather.h"
+#include "models/weather.h"
 #include "shell/demo.h"
 
 namespace flightsim {

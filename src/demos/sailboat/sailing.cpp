@@ -98,7 +98,7 @@ void Sailing::fillProfile() {
         "way on. In irons (stopped, head to wind): boom to one",
         "side, rudder to the other, until she falls off; W.",
         "WIND as felt on board, and the next MARK: m/s, m and",
-        "degrees, to Port or Starboard.",
+        "degrees, to Port or Starboard. An arrow hangs over it.",
     };
     profile.quantities = {
         {"boat speed", "m/s", [this] { return boat.getSpeed(); }, "speed", 2},

@@ -4,6 +4,8 @@
 #include <stdexcept>
 #include <utility>
 
+#include "base/angle.h"
+
 namespace speedboat {
 
 namespace {
@@ -15,7 +17,7 @@ struct Crossing {
 };
 
 std::optional<Crossing> findCrossing(const Buoy &buoy, const Vector3 &from, const Vector3 &to) {
-    const Vector3 ahead(cyclone::real_cos(buoy.heading), 0, cyclone::real_sin(buoy.heading));
+    const Vector3 ahead = demo::towardsBearing(buoy.heading);
     const Vector3 start = from - buoy.getPlace(), end = to - buoy.getPlace();
     const real before = start * ahead, after = end * ahead;
     if (before >= 0 || after < 0) return std::nullopt;  // not across, or the wrong way

@@ -28,7 +28,7 @@ real approach(real now, real target, real mostChange) {
 /// Whether going straight on passes the buoy soon, on the proper side.
 bool isMade(const Buoy &buoy, const RigidBody &body) {
     const Vector3 gate = buoy.getGateDirection(), place = body.getPosition() - buoy.getPlace();
-    const Vector3 ahead(cyclone::real_cos(buoy.heading), 0, cyclone::real_sin(buoy.heading));
+    const Vector3 ahead = demo::towardsBearing(buoy.heading);
     const real speed = body.getVelocity() * ahead;
     if (speed <= 0) return false;
     const real time = -(place * ahead) / speed;

@@ -123,9 +123,8 @@ Scene Race::makeScene() const {
 
 void Race::prepare(std::uint64_t seed, const std::vector<real> &settings) {
     Random random(seed);
-    const Vector3 windFrom(cyclone::real_cos(WIND_FROM), 0, cyclone::real_sin(WIND_FROM));
-    wind = demo::Wind(windFrom * settings.at(WIND), settings.at(GUSTS), GUST_MEMORY, profile.step,
-                      random.next());
+    wind = demo::Wind(towardsBearing(WIND_FROM) * settings.at(WIND), settings.at(GUSTS), GUST_MEMORY,
+                      profile.step, random.next());
     setWaves(settings.at(WAVES), random);
     course = Course(BUOYS);
     log = Log();

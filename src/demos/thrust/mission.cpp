@@ -129,7 +129,7 @@ void Mission::advanceWind() {
 
 void Mission::burn() {
     ship.setThrottle(fuel > 0 ? getControl(THRUST) : 0);
-    if (fuel <= 0) return;
+    if (fuel <= 0 || fetched) return;
     fuel -= ship.getThrottle() * profile.step;
     if (fuel > 0) return;
     fuel = 0;
@@ -197,15 +197,15 @@ std::vector<Arrow> Mission::getArrows() const {
 }
 
 std::string Mission::getHeadUpLine() const {
-    if (fetched) return "The pod is out: R to fly again";
+    const std::string fuelLeft = fixed(100 * fuel / level.fuel, 0) + "%";
+    if (fetched) return "The pod is out with " + fuelLeft + " of the fuel left: R to fly again";
     const cyclone::RigidBody &body = ship.getBody();
     const Vector3 way = ship.getRodEnd() - body.getPosition();
     const std::string task =
         ship.isHooked() ? "POD hooked, SKY" + told(level.height - ship.getPod().getPosition().y, "up", "down")
                         : "RING" + told(way.x, "right", "left") + told(way.y, "up", "down");
-    return "THRUST " + fixed(100 * ship.getThrottle(), 0) + "%  FUEL " + fixed(100 * fuel / level.fuel, 0) +
-           "%  " + task + "  SPEED " + fixed(body.getVelocity().magnitude(), 1) + "  CLIMB " +
-           signedFixed(body.getVelocity().y, 1);
+    return "THRUST " + fixed(100 * ship.getThrottle(), 0) + "%  FUEL " + fuelLeft + "  " + task + "  SPEED " +
+           fixed(body.getVelocity().magnitude(), 1) + "  CLIMB " + signedFixed(body.getVelocity().y, 1);
 }
 
 std::string Mission::getSummary() const {

@@ -1,5 +1,6 @@
 #include "vtol/pad.h"
 
+#include "base/angle.h"
 #include "base/text.h"
 
 namespace vtol {
@@ -13,14 +14,10 @@ const Landing WORST{0, PAD_RADIUS / 2, 2, 2, 10 * cyclone::REAL_PI / 180};  // t
 
 }  // namespace
 
-real distanceOverGround(const Vector3 &a, const Vector3 &b) {
-    return cyclone::real_sqrt((a.x - b.x) * (a.x - b.x) + (a.z - b.z) * (a.z - b.z));
-}
-
 std::size_t findNearestPad(const Vector3 &place) {
     std::size_t nearest = 0;
     for (std::size_t n = 1; n < PADS.size(); ++n)
-        if (distanceOverGround(place, PADS[n].centre) < distanceOverGround(place, PADS[nearest].centre))
+        if (horizontalLength(place - PADS[n].centre) < horizontalLength(place - PADS[nearest].centre))
             nearest = n;
     return nearest;
 }
@@ -29,10 +26,10 @@ Landing measureLanding(const cyclone::RigidBody &body, const Vector3 &velocity) 
     const Vector3 place = body.getPosition(), up = body.getTransform().getAxisVector(1);
     Landing landing;
     landing.pad = findNearestPad(place);
-    landing.offCentre = distanceOverGround(place, PADS[landing.pad].centre);
+    landing.offCentre = horizontalLength(place - PADS[landing.pad].centre);
     landing.sinkRate = -velocity.y;
-    landing.drift = distanceOverGround(velocity, Vector3());
-    landing.tilt = cyclone::real_atan2(distanceOverGround(up, Vector3()), up.y);
+    landing.drift = horizontalLength(velocity);
+    landing.tilt = cyclone::real_atan2(horizontalLength(up), up.y);
     return landing;
 }
 

@@ -21,9 +21,6 @@ struct Pad {
 constexpr real PAD_RADIUS = 12;  ///< m
 extern const std::array<Pad, 2> PADS;
 
-/// m, over the ground.
-real distanceOverGround(const Vector3 &a, const Vector3 &b);
-
 /// By its index.
 std::size_t findNearestPad(const Vector3 &place);
 

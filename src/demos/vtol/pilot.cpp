@@ -22,13 +22,10 @@ constexpr real CLOSE = 300;                                              // m: f
 constexpr real SLOWING = 1.1;                                            // m/s²
 constexpr real MOST_BRAKING = 0.3;  // of what pushes upwards: the nozzles don't turn far astern
 
-real groundSpeed(const Jet &jet) { return distanceOverGround(jet.getBody().getVelocity(), Vector3()); }
+real groundSpeed(const Jet &jet) { return horizontalLength(jet.getBody().getVelocity()); }
 
 /// Along the heading, and to starboard, of a vector in the world.
-Vector3 ahead(const Jet &jet) {
-    const real heading = headingOf(jet.getBody());
-    return Vector3(cyclone::real_cos(heading), 0, cyclone::real_sin(heading));
-}
+Vector3 ahead(const Jet &jet) { return towardsBearing(headingOf(jet.getBody())); }
 Vector3 starboard(const Jet &jet) { return ahead(jet) % Vector3::UP; }
 
 /// 0: the jet carries her, 1: the wings do.
@@ -81,7 +78,7 @@ Pilot::Pilot(std::size_t from, std::size_t to, const Vector3 &windFrom)
 }
 
 void Pilot::takeOver(const Jet &jet) {
-    const bool isNear = distanceOverGround(jet.getBody().getPosition(), pad) < CLOSE;
+    const bool isNear = horizontalLength(jet.getBody().getPosition() - pad) < CLOSE;
     leg = jet.isOnGround()                 ? Leg::LIFT_OFF
           : jet.getAirspeed() > WING_BORNE ? Leg::CRUISE
           : isNear                         ? Leg::OVER_THE_PAD
@@ -94,7 +91,7 @@ real Pilot::getOffLine(const Vector3 &place) const { return (place - pad) * (upw
 
 void Pilot::chooseLeg(const Jet &jet, real duration) {
     const Vector3 place = jet.getBody().getPosition();
-    const real off = distanceOverGround(place, pad);
+    const real off = horizontalLength(place - pad);
     switch (leg) {
         case Leg::LIFT_OFF:
             if (jet.getHeight() > HOVER_HEIGHT - 2) leg = Leg::HOVER;
@@ -107,7 +104,7 @@ void Pilot::chooseLeg(const Jet &jet, real duration) {
             if (jet.getAirspeed() > WING_BORNE + 3 && jet.getHeight() > HOVER_HEIGHT) leg = Leg::CRUISE;
             break;
         case Leg::CRUISE:
-            if (distanceOverGround(place, gate) < 200) leg = Leg::FINAL;
+            if (horizontalLength(place - gate) < 200) leg = Leg::FINAL;
             break;
         case Leg::FINAL:
             if (getShortOf(place) < SLOWING_WAY) leg = Leg::SLOW_DOWN;
@@ -129,7 +126,7 @@ void Pilot::chooseLeg(const Jet &jet, real duration) {
 /// In the hover: there, and into the wind.
 Pilot::Aim Pilot::aimAtPlace(const Jet &jet, const Vector3 &place, real climb) const {
     const Vector3 way = place - jet.getBody().getPosition(), velocity = jet.getBody().getVelocity();
-    const real distance = distanceOverGround(way, Vector3());
+    const real distance = horizontalLength(way);
     const real speed = std::min({0.3 * distance, real_sqrt(2 * SLOWING * distance), 60.0});
     const Vector3 wanted = way * (distance > 0 ? speed / distance : 0);
     Aim aim;

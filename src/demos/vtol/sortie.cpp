@@ -42,7 +42,7 @@ Arrow makeArrow(const char *name, const cyclone::PointForce &force, const RigidB
 
 }  // namespace
 
-Sortie::Sortie() : jet(world, &air) {
+Sortie::Sortie() : jet(world, &weather) {
     fillProfile();
     scene = makeScene();
     begin(1);
@@ -106,9 +106,8 @@ void Sortie::fillProfile() {
 }
 
 void Sortie::prepare(std::uint64_t seed, const std::vector<real> &settings) {
-    const real from = settings.at(WIND_DIRECTION) * DEGREE, speed = settings.at(WIND_SPEED);
-    windFrom = Vector3(speed * cyclone::real_cos(from), 0, speed * cyclone::real_sin(from));
-    air = Breeze(windFrom, settings.at(GUSTS), seed);
+    windFrom = towardsBearing(settings.at(WIND_DIRECTION) * DEGREE) * settings.at(WIND_SPEED);
+    weather = Weather(seed, windFrom, settings.at(GUSTS));
     landings.clear();
     log = LandingLog();
     crashes = transitions = 0;
@@ -151,7 +150,7 @@ void Sortie::beforeStep() {
     const JetControls asked = readControls();
     jet.setControls(isStabilised() ? Stabiliser::hold(jet, asked) : asked);
     jet.advance(profile.step);
-    air.advance(jet.getVelocityThroughAir(), jet.getHeight(), profile.step);
+    weather.advance(jet.getVelocityThroughAir(), jet.getHeight(), profile.step);
     lastVelocity = jet.getBody().getVelocity();
 }
 
@@ -213,7 +212,8 @@ std::vector<Pose> Sortie::getPoses() const {
     poses.push_back(getWreck().empty() ? NOWHERE : Pose{Vector3(place.x, 0, place.z), cyclone::Quaternion()});
     for (const Pad &pad : PADS) {
         const Vector3 foot = pad.centre + Vector3(18, 0, -14);
-        for (const Pose &pose : poseWindsock(foot, -air.getVelocity(foot + Vector3::UP * WINDSOCK_HEIGHT)))
+        for (const Pose &pose :
+             poseWindsock(foot, -weather.getVelocity(foot + Vector3::UP * WINDSOCK_HEIGHT)))
             poses.push_back(pose);
     }
     return poses;
@@ -238,8 +238,8 @@ std::string Sortie::getHeadUpLine() const {
     return "ALT " + fixed(std::max(jet.getHeight(), 0.0), 0) + "  SPD " + fixed(jet.getAirspeed(), 0) +
            "  NOZ " + fixed(jet.getNozzles() / DEGREE, 0) + "°  THR " + percent(getControl(THROTTLE)) +
            "  WING " + percent(std::max(getWingborne(), 0.0)) + "  CLIMB " +
-           signedFixed(body.getVelocity().y, 1) + "  PAD " + fixed(distanceOverGround(way, Vector3()), 0) +
-           "m " + sided(wrapAngle(bearing(way) - headingOf(body))) +
+           signedFixed(body.getVelocity().y, 1) + "  PAD " + fixed(horizontalLength(way), 0) + "m " +
+           sided(wrapAngle(bearing(way) - headingOf(body))) +
            (jet.isStalled() && airborne && jet.getAirspeed() > 10 ? "  STALL" : "") +
            (isStabilised() ? "" : "  STAB OUT") + "  HDG " + compassText(headingOf(body));
 }

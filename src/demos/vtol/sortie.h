@@ -1,7 +1,7 @@
 #pragma once
 
 /// The demonstration: the jet, two pads, wind and a pilot.
-#include "models/breeze.h"
+#include "models/weather.h"
 #include "shell/demo.h"
 #include "vtol/pilot.h"
 
@@ -39,7 +39,7 @@ protected:
     void afterStep() override;
     std::vector<Pose> getPoses() const override;
     std::vector<Arrow> getArrows() const override;
-    Vector3 getWindspeed() const override { return -air.getVelocity(jet.getBody().getPosition()); }
+    Vector3 getWindspeed() const override { return -weather.getVelocity(jet.getBody().getPosition()); }
 
 private:
     void fillProfile();
@@ -51,7 +51,7 @@ private:
     void crash(const std::string &how);
     const Pad &getNextPad() const { return PADS[1 - lastPad]; }
 
-    Breeze air;
+    Weather weather;
     Jet jet;
     Vector3 windFrom;
     Pilot pilot;

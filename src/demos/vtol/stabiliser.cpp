@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "base/angle.h"
+
 namespace vtol {
 
 using cyclone::real_clamp;
@@ -18,8 +20,7 @@ constexpr real STRONG_SPEED = 25;  // m/s, where surfaces turn her as strongly a
 
 /// 1 in the hover, 0 in flight.
 real getHover(const Jet &jet) {
-    const Vector3 v = jet.getBody().getVelocity();
-    return real_clamp((FAST - cyclone::real_sqrt(v.x * v.x + v.z * v.z)) / (FAST - SLOW), 0, 1);
+    return real_clamp((FAST - horizontalLength(jet.getBody().getVelocity())) / (FAST - SLOW), 0, 1);
 }
 
 }  // namespace
@@ -27,8 +28,8 @@ real getHover(const Jet &jet) {
 Stabiliser::Correction Stabiliser::getCorrection(const Jet &jet) {
     const RigidBody &body = jet.getBody();
     const Vector3 velocity = body.getVelocity();
-    const real heading = headingOf(body), hover = getHover(jet);
-    const Vector3 ahead(cyclone::real_cos(heading), 0, cyclone::real_sin(heading));
+    const real hover = getHover(jet);
+    const Vector3 ahead = towardsBearing(headingOf(body));
     Correction correction;
     correction.pitch = hover * LEAN * (velocity * ahead);
     correction.bank = -hover * LEAN * (velocity * (ahead % Vector3::UP));

@@ -252,6 +252,7 @@ TEST(ThrustMission, IsDoneWhenShipAndPodAreAboveTheRock) {
     mission.getShip().getPod().setPosition(18, 21, 0);
     mission.step();
     EXPECT_TRUE(mission.isOver());
+    EXPECT_EQ(mission.getHeadUpLine(), "The pod is out with 100% of the fuel left: R to fly again");
     EXPECT_NE(mission.getSummary().find("fetched the pod"), std::string::npos);
 }
 

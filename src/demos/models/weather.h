@@ -1,11 +1,11 @@
 #pragma once
 
-/// The air on a day for gliders.
-#include "models/breeze.h"
+/// The air over an airfield.
+#include <cyclone/wind.h>
 
 #include <vector>
 
-namespace flightsim {
+namespace demo {
 
 using cyclone::real;
 using cyclone::Vector3;
@@ -14,10 +14,10 @@ using cyclone::Vector3;
 /// Where the air rises is chosen from the seed: six thermals between 700 and 2000 m away.
 class Weather : public cyclone::WindField {
 public:
-    Weather() : Weather(0, Vector3(), 0, 0) {}
+    Weather() : Weather(0, Vector3(), 0) {}
     /// windFrom: towards where the wind at 10 m comes from, m/s. gusts: the root mean square of the vertical
     /// ones, m/s. lift: how fast a usual thermal rises at most, m/s; with 0 there are none.
-    Weather(std::uint64_t seed, const Vector3 &windFrom, real gusts, real lift);
+    Weather(std::uint64_t seed, const Vector3 &windFrom, real gusts, real lift = 0);
 
     /// Blows the gusts past an aircraft.
     void advance(const Vector3 &velocityThroughAir, real height, real duration);
@@ -29,9 +29,10 @@ public:
     const std::vector<Vector3> &getClouds() const { return clouds; }
 
 private:
-    demo::Breeze breeze;
+    cyclone::WindGradient gradient;
+    cyclone::Turbulence turbulence;
     std::vector<cyclone::Thermal> thermals;
     std::vector<Vector3> clouds;
 };
 
-}  // namespace flightsim
+}  // namespace demo
