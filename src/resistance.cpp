@@ -195,23 +195,25 @@ Vector6 between(const Vector6 &a, const Vector6 &b, real prop) { return a * (1 -
 
 }  // namespace
 
-/// With the motion u at half steps, B = −h·∂a/∂u its resistance and a(u) the acceleration, the explicit step
-/// adds to u
+/// With the motion u at half steps, c the time from the last one to this, l the longer of c and the step h,
+/// B = −l·∂a/∂u its resistance and a(u) the acceleration, the explicit step adds to u
 ///
-///     Δ = (e_last + e)·a(u) + h·a_added
+///     Δ = c·a(u) + h·a_added
 ///
 /// and this one (1 − R)·B⁻¹·Δ, with R = √3·K² − (√3 − 1)·K³, K = (1 + γB)⁻¹ and γ = (3 + √3)/6: u decays to
 /// the terminal motion by R a step, which agrees with e^−B to second order and is positive for whatever B
-/// resists. u is the reported motion less the last step's closing kick d, and a(u) = a + B·d/h. Of the
+/// resists. u is the reported motion less the last step's closing kick d, and a(u) = a + B·d/l. Of the
 /// acceleration a only K³·a stays one of generators, with a closing kick of its own, which then never turns
 /// the reported motion round; the rest is added plainly. Along directions in which B is 0 all of this is the
-/// explicit step.
+/// explicit step. Damping makes c differ between velocity and rotation; B would mix what is
+/// left over, and so there is one for both.
 void RigidBody::resist(const Resistance &sum, real duration) {
     if (!hasFiniteMass()) return;
     if (lockedMotion != 0) dropLockedForces();
     const real rootMass = real_sqrt(mass);
     const Scale scale(possible(Vector3(1, 1, 1) * (1 / rootMass)), getPrincipalAxesInWorld(), inverseInertia);
-    const Matrix6 b = scale.scaled(sum, duration);
+    const real acting = actingTime(duration), length = std::max(acting, duration);
+    const Matrix6 b = scale.scaled(sum, length);
     const real stiffness = spectralRadius(b);
     if (!(stiffness > EXPLICIT_LIMIT)) return;
 
@@ -219,14 +221,10 @@ void RigidBody::resist(const Resistance &sum, real duration) {
     const Vector6 acts = scale.scaled(generated) + constant, plain = scale.scaled(added);
     const Vector6 closingKick =
         scale.scaled({memory.acceleration * (mass * memory.linearKick), memory.torque * memory.angularKick});
-    const auto overWholeStep = [&](const Vector6 &v) {
-        return Vector6(v.first() * (memory.linearKick + duration / 2),
-                       v.second() * (memory.angularKick + duration / 2));
-    };
     const Decay decay(b);
-    const Vector6 kick = decay.kick(overWholeStep(acts) + plain * duration + b * closingKick);
+    const Vector6 kick = decay.kick((acts + b * closingKick * (1 / length)) * acting + plain * duration);
     const Vector6 lasting = decay * (decay * (decay * acts));
-    const Vector6 rest = (kick - overWholeStep(lasting)) * (1 / duration);
+    const Vector6 rest = (kick - lasting * acting) * (1 / duration);
 
     const real blend = std::min<real>(stiffness / EXPLICIT_LIMIT - 1, 1);
     generated = scale.unscaled(between(acts, lasting, blend) - constant);

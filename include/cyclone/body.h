@@ -309,7 +309,12 @@ private:
     /// Makes the coming step's kick implicit where it resists too strongly for an explicit one.
     void resist(const Resistance &sum, real duration);
     /// Whether that may be so.
-    bool mayBeStiff(real duration) const { return resistance * duration > EXPLICIT_LIMIT; }
+    bool mayBeStiff(real duration) const {
+        const real acting = actingTime(duration);
+        return resistance * (acting > duration ? acting : duration) > EXPLICIT_LIMIT;
+    }
+    /// How long generators act in this step, the last one's second half included.
+    real actingTime(real duration) const { return 0.5 * (memory.linearKick + memory.angularKick + duration); }
     /// The resistance·duration up to which steps are wholly explicit; from twice that on they are implicit.
     static constexpr real EXPLICIT_LIMIT = 0.5;
     void wakeForForce(const Vector3 &force, const Vector3 &torque);

@@ -166,6 +166,7 @@ TEST(Resistance, OffTheCentreNeverAddsEnergy) {
             body.setOrientation(random.orientation());
             body.setVelocity(random.vector(10));
             body.setRotation(random.vector(10));
+            if (trial % 2 == 1) body.setDamping(0.9, 0.5);
             const real c = strength * body.getMass() / H;
             Aero paddle(diagonal(-c, -0.1 * c, -0.01 * c), random.vector(), nullptr);
             Aero fin(diagonal(0, 0, -c), random.vector(), nullptr);
@@ -187,6 +188,25 @@ TEST(Resistance, OffTheCentreNeverAddsEnergy) {
             }
         }
     }
+}
+
+TEST(Resistance, AtStepsOfAnyLengthNeverFeedsTheMotion) {
+    for (const real strength : STRENGTHS)
+        for (const real ratio : {1.5, 3.0, 10.0, 1000.0}) {
+            RigidBody body;
+            body.setVelocity(3, 0, 0);
+            Drag drag(strength / H, 0);
+            ForceRegistry registry;
+            registry.add(&body, &drag);
+            const int steps = static_cast<int>(80 / strength) + 60;
+            for (int n = 0; n < steps; ++n) {
+                const real duration = n % 2 == 0 ? H : H / ratio;
+                registry.updateForces(duration);
+                ASSERT_TRUE(body.integrate(duration));
+                ASSERT_LE(body.getVelocity().magnitude(), 3) << strength << ", " << ratio << ", frame " << n;
+            }
+            EXPECT_LE(body.getVelocity().magnitude(), 1e-6) << strength << ", " << ratio;
+        }
 }
 
 TEST(Resistance, OfAParachuteOnACrate) {
