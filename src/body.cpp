@@ -73,8 +73,8 @@ void RigidBody::setPrincipalInertia(const Matrix3 &tensor, bool isInverse, const
         for (unsigned axis = 0; axis < 3; ++axis)
             if (values[axis] <= least || !real_isfinite(1 / values[axis])) values[axis] = 0;
     } else {
-        requireMatrix(std::min({values.x, values.y, values.z}) > rounding && reciprocals(values).isFinite(),
-                      function, "the tensor must be positive definite", tensor);
+        requireMatrix(std::min({values.x, values.y, values.z}) > rounding, function,
+                      "the tensor must be positive definite", tensor);
     }
 
     RigidBody changed = *this;

@@ -21,7 +21,8 @@ std::string rejectionText(const char *function, const char *rule, std::initializ
     if (values.size() == 0) return text;
     std::string list;
     for (real value : values) list += (list.empty() ? "" : ", ") + numberText(value);
-    return text + ", not " + (values.size() == 1 ? list : "(" + list + ")");
+    if (values.size() > 1) list = "(" + list + ")";
+    return text + ", not " + list;
 }
 
 }  // namespace

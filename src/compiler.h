@@ -4,8 +4,9 @@
 /// What compilers offer for speed. Nothing here changes a result by one bit.
 #include <cstddef>
 
-/// Inline even where the compiler thinks it too long.
-#ifdef __GNUC__
+/// Inline even where the compiler thinks it too long. A build may define it to be something else.
+#ifdef CYCLONE_INLINE
+#elif defined(__GNUC__)
 #define CYCLONE_INLINE [[gnu::always_inline]] inline
 #else
 #define CYCLONE_INLINE inline
@@ -22,9 +23,9 @@
 
 /// Compiles a function for several processors; the loader picks the widest version that this one has. None of
 /// them reorders operations, and -ffp-contract=off keeps the one for AVX-512 from fusing them. Sanitizers run
-/// before the loader has chosen, and do without.
+/// before the loader has chosen, and do without; a build may define it to be nothing.
 #if defined(__x86_64__) && defined(__GLIBC__) && defined(__has_attribute) && !defined(__AVX2__) && \
-    !CYCLONE_SANITIZED
+    !CYCLONE_SANITIZED && !defined(CYCLONE_TARGET_CLONES)
 #if __has_attribute(target_clones)
 #define CYCLONE_TARGET_CLONES __attribute__((target_clones("default", "avx2", "avx512f")))
 #endif

@@ -71,7 +71,8 @@ std::ostream &operator<<(std::ostream &stream, const Matrix3 &m) { return stream
 std::ostream &operator<<(std::ostream &stream, const Matrix4 &m) { return stream << textOfRows(m.data, 4); }
 
 std::ostream &operator<<(std::ostream &stream, const RigidBody &body) {
-    const std::string mass = body.hasFiniteMass() ? textOf(body.getMass()) + " kg" : "immovable";
+    std::string mass = "immovable";
+    if (body.hasFiniteMass()) mass = textOf(body.getMass()) + " kg";
     const char *const sleep = body.hasFaulted() ? ", faulted" : body.getAwake() ? "" : ", asleep";
     return stream << mass + " at " + textOf(body.getPosition()) + ", orientation " +
                          textOf(body.getOrientation()) + ", velocity " + textOf(body.getVelocity()) +

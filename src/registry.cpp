@@ -55,7 +55,7 @@ void ForceRegistry::own(std::unique_ptr<ForceGenerator> generator, RigidBody *bo
     registrations->reserveMore(2);
     RegistrationDetails its = describe(body, generator.get());
     its.isOwned = true;
-    its.born = history != nullptr ? history->now() : 0;
+    its.born = history->now();
     RegistrationDetails mirrored = its;
     if (second != nullptr) mirrored.otherBody = generator->getOtherBody(second);
 

@@ -237,4 +237,38 @@ TEST(BodyState, MayBeOffByRounding) {
     EXPECT_EQ(state.findError(), nullptr) << "8 roundings of the square";
 }
 
+/// Each alone keeps a body awake: what moves it, and what acts on it.
+TEST(BodyState, OfASleeperIsAtRestInEveryPart) {
+    void (*const disturbances[])(State &) = {
+        [](State &s) { s.velocity.x = 1; },
+        [](State &s) { s.rotation.x = 1; },         // about the locked axis
+        [](State &s) { s.angularMomentum.x = 1; },  // of which there is no rotation
+        [](State &s) { s.lastFrameAcceleration.y = 1; },
+        [](State &s) { s.added.force.z = 1; },
+        [](State &s) { s.added.torque.z = 1; },
+        [](State &s) { s.generated.force.z = 1; },
+        [](State &s) { s.generated.torque.z = 1; },
+    };
+    for (const auto &disturb : disturbances) {
+        RigidBody body;
+        body.setInverseInertiaTensor(cyclone_test::diagonal(0, 1, 1));
+        State state = body.getState();
+        disturb(state);
+        EXPECT_EQ(state.findError(), nullptr) << &disturb - disturbances;
+        state.awake = false;
+        EXPECT_STREQ(state.findError(), "a sleeping body must be at rest") << &disturb - disturbances;
+        state.faulted = true;
+        EXPECT_EQ(state.findError(), nullptr) << "its last good state";
+    }
+}
+
+TEST(BodyState, HasMomentsWithinTheirBounds) {
+    for (const real moment : {1e-150, 1e150}) {
+        State state;
+        state.inertia.z = moment;
+        state.inverseInertia.z = 1 / moment;
+        EXPECT_STREQ(state.findError(), "the moments of inertia must not be extreme") << moment;
+    }
+}
+
 }  // namespace

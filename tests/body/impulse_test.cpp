@@ -136,4 +136,23 @@ TEST(Impulse, ThatIsNotFiniteOrLeadsToNoFiniteMotionIsRefused) {
     EXPECT_EQ(hashStates(&its, 1), hash);
 }
 
+/// Velocity, rotation or angular momentum alone would overflow.
+TEST(Impulse, AtAPointThatOverflowsAnyMotionIsRefused) {
+    RigidBody light, slender, heavy;
+    light.setMass(1e-5);
+    EXPECT_THROW(light.addImpulseAtPoint(Vector3(1e306, 0, 0), Vector3()), std::invalid_argument);
+    EXPECT_EQ(light.getVelocity(), Vector3());
+
+    slender.setInertiaTensor(diagonal(1e-5, 1e-5, 1e-5));
+    EXPECT_THROW(slender.addImpulseAtPoint(Vector3(1e306, 0, 0), Vector3(0, 1, 0)), std::invalid_argument);
+    EXPECT_EQ(slender.getVelocity(), Vector3());
+    EXPECT_EQ(slender.getRotation(), Vector3());
+
+    heavy.setInertiaTensor(diagonal(1e10, 1e10, 1e10));
+    heavy.setRotation(0, 0, -1e298);
+    EXPECT_THROW(heavy.addImpulseAtPoint(Vector3(1e308, 0, 0), Vector3(0, 1, 0)), std::invalid_argument);
+    EXPECT_EQ(heavy.getVelocity(), Vector3());
+    EXPECT_EQ(heavy.getRotation(), Vector3(0, 0, -1e298));
+}
+
 }  // namespace

@@ -350,3 +350,8 @@ TEST(MassProperties, ABodyThatRefusesThemStaysAsItWas) {
 }
 
 }  // namespace
+
+TEST(MassProperties, ASumOfMassesThatOverflowsIsRefused) {
+    const MassProperties half = MassProperties::sphere(1e-3, Mass(0.9e308));
+    EXPECT_EQ(refusal([&] { half + half; }).find("MassProperties::operator+: the sum"), 0u);
+}

@@ -451,3 +451,8 @@ TEST(Matrix4, OpenGlTakesColumns) {
 }
 
 }  // namespace
+
+TEST(Matrix3, WhoseInverseOverflowsHasNone) {
+    expectSingular(diagonal(1e-310, 1e-310, 1e-310));
+    EXPECT_TRUE(isNear(diagonal(1e-307, 1e-307, 1e-307).inverse() * 1e-307, IDENTITY, 1e-15));
+}

@@ -444,3 +444,20 @@ TEST_F(WorldWithTrap, GeneratorsThatSayTheyActOnMoreMayChangeAnything) {
 }
 
 }  // namespace
+
+/// Two parts throw at once; both exceptions are accounted for, and the caller gets one of them.
+TEST(Workers, PassOneOfTwoExceptionsOn) {
+    struct Failing : JobSystem::Job {
+        std::atomic<int> begun{0};
+        void run(std::size_t) override {
+            ++begun;
+            while (begun < 2) std::this_thread::yield();
+            throw std::runtime_error("part failed");
+        }
+    } job;
+    Workers workers(2);
+    EXPECT_THROW(workers.parallelFor(2, job), std::runtime_error);
+    Counting next(100);
+    workers.parallelFor(100, next);
+    for (const std::atomic<int> &runs : next.runs) EXPECT_EQ(runs, 1);
+}

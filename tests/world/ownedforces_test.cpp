@@ -264,4 +264,22 @@ TEST_F(CreatedSprings, OfTheCallersEndWithTheOtherBody) {
     EXPECT_EQ(body->getPosition(), Vector3());
 }
 
+TEST_F(OwnedForces, ThatEndWithOthersInOneCallMayComeAgainAlone) {
+    Push &lost = world.createForce<Push>(another, 1, alive), &again = world.createForce<Push>(body, 1, alive);
+    again.deed = [&] {
+        world.destroyForce(lost);
+        world.getForceRegistry().remove(body, &again);
+        world.getForceRegistry().add(body, &again);
+        again.deed = nullptr;
+    };
+    run(world, 1);
+    EXPECT_EQ(alive, 1);
+    EXPECT_EQ(world.getForceRegistry().size(), 1U);
+    const Vector3 before = body->getVelocity();
+    run(world, 1);
+    EXPECT_GT(body->getVelocity().x, before.x);
+    world.destroyForce(again);
+    EXPECT_EQ(alive, 0);
+}
+
 }  // namespace

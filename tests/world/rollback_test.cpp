@@ -278,4 +278,14 @@ TEST(Rollback, ToAnySnapshotAmongRandomBirthsAndDeaths) {
     }
 }
 
+TEST_F(Rewound, ACutShortSnapshotIsRefused) {
+    world.saveState(before);
+    for (const std::size_t size : {before.size() - 1, std::size_t(8), std::size_t(7), std::size_t(0)}) {
+        before.resize(size);
+        first->setPosition(9, 9, 9);
+        EXPECT_THROW(world.restoreState(before), std::invalid_argument) << size;
+        EXPECT_EQ(first->getPosition(), Vector3(9, 9, 9)) << size;
+    }
+}
+
 }  // namespace

@@ -464,3 +464,12 @@ TEST(World, TwoWorldsOnTwoThreadsNeverMeet) {
 }
 
 }  // namespace
+
+TEST(World, ListsThoseThatFaultInTheFrameInWhichAnotherLeaves) {
+    World world;
+    RigidBody *const first = world.createBody(), *const second = world.createBody();
+    world.destroyBody(first);
+    second->addForce(Vector3(QUIET_NAN, 0, 0));
+    world.runPhysics(STEP);
+    EXPECT_EQ(world.getFaultedBodies(), World::RigidBodies{second});
+}
