@@ -1,5 +1,7 @@
 #include "models/undercarriage.h"
 
+#include "base/angle.h"
+
 namespace demo {
 
 namespace {
@@ -27,8 +29,7 @@ Vector3 Wheel::getForce(const RigidBody &body) const {
     const real load = strut.springConstant * compression - strut.damping * velocity.y;
     if (load <= 0) return Vector3();
 
-    const Vector3 heading(cyclone::real_cos(steering), 0, cyclone::real_sin(steering));
-    Vector3 ahead = body.getDirectionInWorldSpace(heading);
+    Vector3 ahead = body.getDirectionInWorldSpace(towardsBearing(steering));
     ahead.y = 0;
     ahead.normalise();
     const Vector3 across = ahead % Vector3::UP;

@@ -1,5 +1,6 @@
 #include "vtol/parts.h"
 
+#include "base/angle.h"
 #include "picture/solids.h"
 #include "vtol/pad.h"
 
@@ -107,7 +108,7 @@ Part paintDisc(const Pad &pad, real radius, Colour colour) {
     constexpr int CORNERS = 24;
     for (int n = 0; n < CORNERS; ++n) {
         const real angle = -2 * cyclone::REAL_PI * n / CORNERS;
-        rim.push_back(pad.centre + Vector3(cyclone::real_cos(angle), 0, cyclone::real_sin(angle)) * radius);
+        rim.push_back(pad.centre + towardsBearing(angle) * radius);
     }
     addFace(part, rim, colour);
     return part;
