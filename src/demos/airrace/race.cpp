@@ -230,10 +230,9 @@ Vector3 Race::getWindspeed() const { return -weather.getVelocity(aircraft->getBo
 std::string Race::describeNextHoop() const {
     const std::size_t next = marshal.getNext();
     const RigidBody &body = aircraft->getBody();
-    const Vector3 way = getCourse()[next].centre - body.getPosition();
-    const real off = wrapAngle(bearing(way) - headingOf(body));
+    const Vector3 &centre = getCourse()[next].centre;
     return "HOOP " + std::to_string(next + 1) + "/" + std::to_string(getCourse().size()) + " " +
-           fixed(way.magnitude(), 0) + "m " + sided(off) + " " + signedFixed(way.y, 0);
+           whereabouts(body, centre) + " " + signedFixed(centre.y - body.getPosition().y, 0);
 }
 
 std::string Race::getHeadUpLine() const {

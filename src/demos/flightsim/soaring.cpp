@@ -60,9 +60,9 @@ void Soaring::fillProfile() {
                     "X        centre them all",
                     "+ -      airbrakes out, in",
                     "",
-                    "Under each cloud the air rises: the nearest CLOUD,",
-                    "m away/degrees to Port or Starboard. When VARIO is",
-                    "positive, circle: A or D, then E or Q with it.",
+                    "Under each cloud the air rises: the nearest CLOUD is so",
+                    "far away, so many degrees to Port or Starboard. When",
+                    "VARIO is positive, circle: A or D, then E or Q with it.",
                     "Glide at 25 m/s; below 18 she stalls."};
     const auto airspeed = [this] { return glider.getAirspeed(); };
     const auto air = [this] { return weather.getVelocity(glider.getBody().getPosition()); };

@@ -21,7 +21,7 @@ real bankOf(const RigidBody &body) {
 
 std::string whereabouts(const RigidBody &body, const Vector3 &place) {
     const Vector3 way = place - body.getPosition();
-    return fixed(horizontalLength(way), 0) + "/" + sided(wrapAngle(bearing(way) - headingOf(body)));
+    return fixed(horizontalLength(way), 0) + "m " + sided(wrapAngle(bearing(way) - headingOf(body)));
 }
 
 }  // namespace demo

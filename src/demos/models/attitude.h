@@ -18,7 +18,7 @@ real pitchOf(const RigidBody &body);
 /// rad, −π … π: positive to starboard.
 real bankOf(const RigidBody &body);
 
-/// "83/63S": a place is 83 m away along the ground, 63° off the nose to starboard.
+/// "83m 63S": a place is 83 m away along the ground, 63° off the nose to starboard.
 std::string whereabouts(const RigidBody &body, const cyclone::Vector3 &place);
 
 }  // namespace demo

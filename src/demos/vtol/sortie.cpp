@@ -233,13 +233,11 @@ std::vector<Arrow> Sortie::getArrows() const {
 
 std::string Sortie::getHeadUpLine() const {
     const RigidBody &body = jet.getBody();
-    const Vector3 way = getNextPad().centre - body.getPosition();
     const auto percent = [](real share) { return fixed(100 * share, 0) + "%"; };
     return "ALT " + fixed(std::max(jet.getHeight(), 0.0), 0) + "  SPD " + fixed(jet.getAirspeed(), 0) +
            "  NOZ " + fixed(jet.getNozzles() / DEGREE, 0) + "°  THR " + percent(getControl(THROTTLE)) +
            "  WING " + percent(std::max(getWingborne(), 0.0)) + "  CLIMB " +
-           signedFixed(body.getVelocity().y, 1) + "  PAD " + fixed(horizontalLength(way), 0) + "m " +
-           sided(wrapAngle(bearing(way) - headingOf(body))) +
+           signedFixed(body.getVelocity().y, 1) + "  PAD " + whereabouts(body, getNextPad().centre) +
            (jet.isStalled() && airborne && jet.getAirspeed() > 10 ? "  STALL" : "") +
            (isStabilised() ? "" : "  STAB OUT") + "  HDG " + compassText(headingOf(body));
 }

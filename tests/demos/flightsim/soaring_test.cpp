@@ -208,11 +208,11 @@ TEST(DemoSoaring, TheLineSaysWhereTheNearestCloudIsAndTheField) {
     soaring.begin(1);
     const Vector3 cloud = soaring.getWeather().getClouds()[3];
     soaring.getGlider().launch(cloud + Vector3(60, -500, 0));
-    EXPECT_NE(soaring.getHeadUpLine().find("  CLOUD 60/180"), std::string::npos) << soaring.getHeadUpLine();
+    EXPECT_NE(soaring.getHeadUpLine().find("  CLOUD 60m 180"), std::string::npos) << soaring.getHeadUpLine();
     soaring.begin(1, {CALM, FROM, 0, 0});
     soaring.getGlider().launch(Vector3(0, 300, -250));
     const std::string line = soaring.getHeadUpLine();
-    EXPECT_NE(line.find("  FIELD 250/90S  "), std::string::npos) << line;
+    EXPECT_NE(line.find("  FIELD 250m 90S  "), std::string::npos) << line;
     EXPECT_EQ(line.find("CLOUD"), std::string::npos) << "there is none on such an evening";
 }
 

@@ -254,7 +254,7 @@ TEST(Sailing, PointsToTheNextMarkAndTimesTheLap) {
     sailing.begin(1, CALM);
     // From the origin, heading −1.2 rad, the windward mark lies at (85 m north, 5 m east): √(85² + 5²) = 85.1
     // m at 3.4° + 68.8° = 72.1° off the bow.
-    EXPECT_NE(sailing.getHeadUpLine().find("  MARK 85/72S"), std::string::npos) << sailing.getHeadUpLine();
+    EXPECT_NE(sailing.getHeadUpLine().find("  MARK 85m 72S"), std::string::npos) << sailing.getHeadUpLine();
     EXPECT_NE(sailing.getSummary().find("the windward mark is next"), std::string::npos);
     EXPECT_EQ(sailing.getFrame().poses.back().position, sailing.getFrame().poses[3].position);
     while (!sailing.isOver()) run(sailing, 0.5);

@@ -125,7 +125,7 @@ TEST(SpeedboatRace, TheLineSaysThatTheScrewIsDry) {
 
 TEST(SpeedboatRace, TheLineSaysWhichBuoyIsNextAndWhere) {
     Race race(Hull::PLANING);
-    EXPECT_NE(race.getHeadUpLine().find("BUOY 1 70/0 to port"), std::string::npos) << race.getHeadUpLine();
+    EXPECT_NE(race.getHeadUpLine().find("BUOY 1 70m 0 to port"), std::string::npos) << race.getHeadUpLine();
 }
 
 TEST(SpeedboatRace, CapsizingIsSaidAndEndsTheRunUntilItStartsOver) {
