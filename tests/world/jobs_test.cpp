@@ -434,7 +434,7 @@ TEST_F(WorldWithTrap, GeneratorsThatSayTheyActOnMoreMayChangeAnything) {
 
 }  // namespace
 
-/// Two parts throw at once; both exceptions are accounted for, and the caller gets one of them.
+/// Two parts throw at once.
 TEST(Workers, PassOneOfTwoExceptionsOn) {
     struct Failing : JobSystem::Job {
         std::atomic<int> begun{0};
@@ -449,4 +449,26 @@ TEST(Workers, PassOneOfTwoExceptionsOn) {
     Counting next(100);
     workers.parallelFor(100, next);
     for (const std::atomic<int> &runs : next.runs) EXPECT_EQ(runs, 1);
+}
+
+/// Generators that act on their body only, some of them removed, before and after one that acts on two.
+TEST(WorldOnThreads, CallsEachGeneratorOnceAroundGaps) {
+    World world;
+    Backwards hostJobs;
+    world.setJobSystem(&hostJobs);
+    Gravity gravity;
+    ForceRegistry &registry = world.getForceRegistry();
+    const auto add = [&] {
+        for (int n = 0; n < 600; ++n) registry.add(world.createBody(), &gravity);
+    };
+    add();
+    world.createSpring(world.getBodies()[0], Vector3(), world.getBodies()[1], Vector3(), 0, 0);
+    add();
+    for (const std::size_t n : {100U, 900U}) registry.remove(world.getBodies()[n], &gravity);
+    world.startFrame();
+    world.runPhysics(STEP);
+    EXPECT_GT(hostJobs.longest, 1U);
+    for (std::size_t n = 0; n < 1200; ++n)
+        ASSERT_NEAR(world.getBodies()[n]->getVelocity().y, n == 100 || n == 900 ? 0 : -9.81 * STEP, 1e-15)
+            << n;
 }
