@@ -473,3 +473,21 @@ TEST(Resistance, IsTheSameWithThreads) {
     };
     EXPECT_EQ(run(1), run(3));
 }
+
+TEST(Resistance, OfAFewIsTheSameWithThreads) {
+    const auto run = [](JobSystem *jobs) {
+        RigidBody body;
+        body.setVelocity(30, 5, 0);
+        Drag drag(2 / H, 0);
+        ForceRegistry registry;
+        registry.add(&body, &drag);
+        for (int n = 0; n < 10; ++n) {
+            jobs != nullptr ? registry.updateForces(H, *jobs) : registry.updateForces(H);
+            body.integrate(H);
+        }
+        return body.getVelocity();
+    };
+    Workers workers(2);
+    EXPECT_EQ(run(&workers), run(nullptr));
+    EXPECT_LT(run(&workers).x, 1e-3);
+}
