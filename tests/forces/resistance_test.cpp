@@ -72,6 +72,22 @@ TEST(Resistance, FallsAtTheTerminalVelocity) {
     }
 }
 
+TEST(Resistance, OfAFeatherAndOfAShip) {
+    for (const real kilograms : {1e-6, 1e6}) {
+        for (const real strength : STRENGTHS) {
+            RigidBody body;
+            body.setMass(kilograms);
+            body.setVelocity(3, -5, 0);
+            body.setAcceleration(Vector3::GRAVITY);
+            const real c = strength * kilograms / H;
+            Aero surface(isotropic(c), Vector3(), nullptr);
+            ForceRegistry registry;
+            registry.add(&body, &surface);
+            expectDecay(body, registry, Vector3::GRAVITY * (kilograms / c), strength);
+        }
+    }
+}
+
 TEST(Resistance, GoesWithTheWindWhenTowed) {
     const Vector3 windspeed(-8, 1, 3), pull(40, 11, -7);
     for (const real strength : STRENGTHS) {
