@@ -415,10 +415,7 @@ real real_atan2(real y, real x) {
     if (std::isnan(x) || std::isnan(y)) return QUIET_NAN;
 
     real a = real_abs(x), b = real_abs(y);
-    if (a == PLUS_INFINITY || b == PLUS_INFINITY) {  // only the direction counts
-        a = a == PLUS_INFINITY ? 1 : 0;
-        b = b == PLUS_INFINITY ? 1 : 0;
-    }
+    if (a == PLUS_INFINITY && b == PLUS_INFINITY) a = b = 1;  // only the direction counts
     if (b == 0) a = 1;
 
     DoubleDouble angle;

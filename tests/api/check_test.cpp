@@ -427,6 +427,11 @@ TEST(Refusal, QuotesNumbers) {
     } catch (const std::invalid_argument &error) {
         EXPECT_STREQ(error.what(), "Thing::set: the numbers must be good, not (-1, 0.5, inf)");
     }
+    try {
+        detail::reject("Thing::set", "the number must be good", {-1});
+    } catch (const std::invalid_argument &error) {
+        EXPECT_STREQ(error.what(), "Thing::set: the number must be good, not -1");
+    }
     EXPECT_THROW(detail::require(false, "f", "r"), std::invalid_argument);
     EXPECT_NO_THROW(detail::require(true, "f", "r"));
     int number = 0;

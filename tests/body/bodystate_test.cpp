@@ -271,4 +271,17 @@ TEST(BodyState, HasMomentsWithinTheirBounds) {
     }
 }
 
+/// Of a mass and its inverse, the one that was set has the last bit right.
+TEST(BodyState, OfAnInexactInverseComesBackFromASnapshot) {
+    RigidBody body, restored;
+    body.setInverseMass(49);
+    ASSERT_NE(1 / body.getMass(), 49);
+    RigidBody *const from[] = {&body}, *const to[] = {&restored};
+    Snapshot snapshot;
+    writeSnapshot(from, 1, snapshot);
+    readSnapshot(snapshot, to, 1);
+    EXPECT_EQ(restored.getInverseMass(), 49);
+    EXPECT_EQ(bitsOf(restored.getState()), bitsOf(body.getState()));
+}
+
 }  // namespace

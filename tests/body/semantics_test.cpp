@@ -289,6 +289,8 @@ TEST(Fault, KeepsTheStateExactly) {
                 EXPECT_TRUE(isSameMotion(body, before));
                 EXPECT_FALSE(body.getAwake());
                 EXPECT_TRUE(body.hasFaulted());
+                EXPECT_EQ(body.getState().memory.linearKick, 0) << "nothing is remembered";
+                EXPECT_EQ(body.getState().memory.angularKick, 0) << "nothing is remembered";
                 EXPECT_TRUE(body.integrate(STEP)) << "asleep";
                 EXPECT_TRUE(isSameMotion(body, before));
             }

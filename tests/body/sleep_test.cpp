@@ -55,6 +55,18 @@ TEST(Sleep, DoesNotDependOnTheStep) {
     }
 }
 
+TEST(Sleep, NeedsItsTimeAnewAfterWakingAndAChangedLimit) {
+    RigidBody body = sleepyBody();
+    body.setSleepEpsilon(1);
+    EXPECT_NEAR(timeAwake(body), 0.7, 0.15);
+    body.setAwake();
+    EXPECT_NEAR(timeAwake(body), 0.7, 0.15);
+    body.setCanSleep(false);
+    EXPECT_EQ(timeAwake(body), 100);
+    body.setCanSleep();
+    EXPECT_NEAR(timeAwake(body), 0.7, 0.15);
+}
+
 TEST(Sleep, DoesNotComeInMidAir) {
     // However slow a body counts as idle, it is awake while something acts on it.
     const auto whileActing = [](const std::function<void(RigidBody &)> &act, const Vector3 &acceleration) {

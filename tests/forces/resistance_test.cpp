@@ -72,6 +72,22 @@ TEST(Resistance, FallsAtTheTerminalVelocity) {
     }
 }
 
+TEST(Resistance, OfAFeatherAndOfAShip) {
+    for (const real kilograms : {1e-6, 1e6}) {
+        for (const real strength : STRENGTHS) {
+            RigidBody body;
+            body.setMass(kilograms);
+            body.setVelocity(3, -5, 0);
+            body.setAcceleration(Vector3::GRAVITY);
+            const real c = strength * kilograms / H;
+            Aero surface(isotropic(c), Vector3(), nullptr);
+            ForceRegistry registry;
+            registry.add(&body, &surface);
+            expectDecay(body, registry, Vector3::GRAVITY * (kilograms / c), strength);
+        }
+    }
+}
+
 TEST(Resistance, GoesWithTheWindWhenTowed) {
     const Vector3 windspeed(-8, 1, 3), pull(40, 11, -7);
     for (const real strength : STRENGTHS) {
@@ -472,4 +488,22 @@ TEST(Resistance, IsTheSameWithThreads) {
         return world.hash();
     };
     EXPECT_EQ(run(1), run(3));
+}
+
+TEST(Resistance, OfAFewIsTheSameWithThreads) {
+    const auto run = [](JobSystem *jobs) {
+        RigidBody body;
+        body.setVelocity(30, 5, 0);
+        Drag drag(2 / H, 0);
+        ForceRegistry registry;
+        registry.add(&body, &drag);
+        for (int n = 0; n < 10; ++n) {
+            jobs != nullptr ? registry.updateForces(H, *jobs) : registry.updateForces(H);
+            body.integrate(H);
+        }
+        return body.getVelocity();
+    };
+    Workers workers(2);
+    EXPECT_EQ(run(&workers), run(nullptr));
+    EXPECT_LT(run(&workers).x, 1e-3);
 }

@@ -162,7 +162,9 @@ TEST(DampedSpring, OfAnyStrengthStopsARodThatTurns) {
             }
             // The point's motion decays as e^{−c·(1/m + arm²)·t}.
             const real pace = rod->getVelocityAtPoint(rod->getPointInWorldSpace(Vector3(arm, 0, 0))).y;
-            if (c * arm * arm > 10) ASSERT_NEAR(pace, 0, 1e-6) << arm << " m, " << c << " N·s/m";
+            if (c * arm * arm > 10) {
+                ASSERT_NEAR(pace, 0, 1e-6) << arm << " m, " << c << " N·s/m";
+            }
         }
     }
 }

@@ -445,7 +445,7 @@ TEST_F(WorldWithTrap, GeneratorsThatSayTheyActOnMoreMayChangeAnything) {
 
 }  // namespace
 
-/// Two parts throw at once; both exceptions are accounted for, and the caller gets one of them.
+/// Two parts throw at once.
 TEST(Workers, PassOneOfTwoExceptionsOn) {
     struct Failing : JobSystem::Job {
         std::atomic<int> begun{0};
@@ -460,4 +460,29 @@ TEST(Workers, PassOneOfTwoExceptionsOn) {
     Counting next(100);
     workers.parallelFor(100, next);
     for (const std::atomic<int> &runs : next.runs) EXPECT_EQ(runs, 1);
+}
+
+/// Generators that act on their body only, some of them removed, before and after one that may act on any.
+TEST(WorldOnThreads, CallsEachGeneratorOnceAroundGaps) {
+    World world;
+    Backwards hostJobs;
+    world.setJobSystem(&hostJobs);
+    struct MayActOnAny : ForceGenerator {
+        void updateForce(RigidBody *, real) override {}
+    } other;
+    Gravity gravity;
+    ForceRegistry &registry = world.getForceRegistry();
+    const auto add = [&] {
+        for (int n = 0; n < 600; ++n) registry.add(world.createBody(), &gravity);
+    };
+    add();
+    registry.add(world.getBodies()[0], &other);
+    add();
+    for (const std::size_t n : {100U, 900U}) registry.remove(world.getBodies()[n], &gravity);
+    world.startFrame();
+    world.runPhysics(STEP);
+    EXPECT_GT(hostJobs.longest, 1U);
+    for (std::size_t n = 0; n < 1200; ++n)
+        ASSERT_NEAR(world.getBodies()[n]->getVelocity().y, n == 100 || n == 900 ? 0 : -9.81 * STEP, 1e-15)
+            << n;
 }

@@ -288,4 +288,15 @@ TEST_F(Rewound, ACutShortSnapshotIsRefused) {
     }
 }
 
+TEST_F(Rewound, ACopyOutlivesTheNextUseOfItsOriginal) {
+    world.saveState(before);
+    const Snapshot copy = before;
+    world.destroyBody(second);
+    world.saveState(before);
+    world.restoreState(copy);
+    EXPECT_EQ(world.getBodies(), (World::RigidBodies{first, second, third}));
+    world.restoreState(before);
+    EXPECT_EQ(world.getBodies(), (World::RigidBodies{first, third}));
+}
+
 }  // namespace

@@ -473,3 +473,12 @@ TEST(World, ListsThoseThatFaultInTheFrameInWhichAnotherLeaves) {
     world.runPhysics(STEP);
     EXPECT_EQ(world.getFaultedBodies(), World::RigidBodies{second});
 }
+
+TEST(World, ListsFaultedBodiesStillWhenASoundOneLeaves) {
+    World world;
+    RigidBody *const sound = world.createBody(), *const faulty = world.createBody();
+    faulty->addForce(Vector3(QUIET_NAN, 0, 0));
+    world.runPhysics(STEP);
+    world.destroyBody(sound);
+    EXPECT_EQ(world.getFaultedBodies(), World::RigidBodies{faulty});
+}
