@@ -267,8 +267,8 @@ TEST(DemoCanvas, TextStandsWhereItIsPrinted) {
 TEST(DemoCanvas, AnArrowsNameStandsBesideItsTailAwayFromItsTip) {
     Canvas canvas;
     canvas.begin(COLUMNS, ROWS, alongX());
-    canvas.label(Arrow{"east", {10, 0, -8}, {0, 0, 16}, RED});  // columns 6 to 54
-    canvas.label(Arrow{"west", {10, 5, 8}, {0, 0, -16}, RED});  // and back, higher up
+    canvas.label(Arrow{"east", {10, 0, -7.9}, {0, 0, 16}, RED});    // from within column 6
+    canvas.label(Arrow{"west", {10, 4.9, 8.1}, {0, 0, -16}, RED});  // from column 54, higher up
     canvas.label(Arrow{"behind", {-10, 0, -8}, {0, 0, 16}, RED});
     canvas.label(Arrow{"nowhere", {10, NOT_A_NUMBER, -8}, {0, 0, 16}, RED});
     canvas.label(Arrow{"outside", {10, 0, -11}, {0, 0, 16}, RED});
