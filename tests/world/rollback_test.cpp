@@ -128,6 +128,17 @@ TEST_F(Rewound, WhatHasEndedIsKeptNoLongerThanASnapshotOfIt) {
     frame(world);
     EXPECT_EQ(alive, 0);
 
+    // A snapshot that is written by hand is none of the world any more.
+    RigidBody *const buoy = world.createBody();
+    world.createForce<Counted>(buoy, alive);
+    world.saveState(before);
+    world.destroyBody(buoy);
+    EXPECT_EQ(alive, 1) << "dormant";
+    writeSnapshot(world.getBodies().data(), world.getBodies().size(), before);
+    frame(world);
+    EXPECT_EQ(alive, 0);
+    world.saveState(before);
+
     // What is born and ends between two snapshots is in none of them, whatever it has acted on meanwhile.
     RigidBody *const shot = world.createBody();
     Counted &force = world.createForce<Counted>(shot, alive);
