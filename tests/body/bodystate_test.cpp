@@ -197,6 +197,7 @@ TEST(BodyState, ThatNoBodyCanBeInIsRefused) {
         {"remembered kicks", [](State &s) { s.memory.angularKick = QUIET_NAN; }},
         {"match the rotation", [](State &s) { s.rotation.y += 1e-6; }},
         {"match the rotation", [](State &s) { s.angularMomentum.y += 1e-6; }},
+        {"match the rotation", [](State &s) { s.rotation *= 1e-6, s.angularMomentum *= 1.001e-6; }},
         {"match the rotation", [](State &s) { s.inverseMass = 0, s.mass = REAL_MAX; }},
         {"awake", [](State &s) { s.faulted = true; }},
         {"at rest", [](State &s) { s.awake = false; }},

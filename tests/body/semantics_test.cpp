@@ -210,6 +210,15 @@ TEST(ZeroDuration, DoesNothing) {
     EXPECT_TRUE(isSameMotion(paused.body, plain.body));
 }
 
+TEST(ZeroDuration, DropsTheForcesOfEachBody) {
+    RigidBody first, second;
+    RigidBody *const bodies[] = {&first, &second};
+    for (RigidBody *body : bodies) body->addForce(Vector3(1, 2, 3));
+    RigidBody::integrate(bodies, 2, 0);
+    RigidBody::integrate(bodies, 2, STEP);
+    for (const RigidBody *body : bodies) EXPECT_EQ(body->getVelocity(), Vector3());
+}
+
 TEST(ZeroDuration, DoesNothingAfterTheDampingIsSet) {
     RigidBody body;
     body.setVelocity(1, 2, 3);

@@ -325,7 +325,7 @@ TEST(Resistance, AtTheEndOfALongArmStopsTheTurning) {
     paddle.setRotationalFlow(true);
     const Buoyancy hull(end, 1, 1, 100);
     HullDrag hullDrag(&hull, end, Vector3(100, 100, 100), Vector3());
-    Wing tail(1, 1, end, nullptr);
+    Wing tail(1, 0.1, end, nullptr);
     for (ForceGenerator *force :
          {static_cast<ForceGenerator *>(&paddle), static_cast<ForceGenerator *>(&hullDrag),
           static_cast<ForceGenerator *>(&tail)}) {

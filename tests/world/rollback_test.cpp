@@ -128,10 +128,24 @@ TEST_F(Rewound, WhatHasEndedIsKeptNoLongerThanASnapshotOfIt) {
     frame(world);
     EXPECT_EQ(alive, 0);
 
-    // What is born and ends between two snapshots is in none of them.
+    // A snapshot that is written by hand is none of the world any more.
+    RigidBody *const buoy = world.createBody();
+    world.createForce<Counted>(buoy, alive);
+    world.saveState(before);
+    world.destroyBody(buoy);
+    EXPECT_EQ(alive, 1) << "dormant";
+    writeSnapshot(world.getBodies().data(), world.getBodies().size(), before);
+    frame(world);
+    EXPECT_EQ(alive, 0);
+    world.saveState(before);
+
+    // What is born and ends between two snapshots is in none of them, whatever it has acted on meanwhile.
     RigidBody *const shot = world.createBody();
-    world.createForce<Counted>(shot, alive);
+    Counted &force = world.createForce<Counted>(shot, alive);
+    world.getForceRegistry().add(third, &force);
     world.destroyBody(shot);
+    EXPECT_EQ(alive, 1);
+    world.destroyForce(force);
     EXPECT_EQ(alive, 0);
 }
 
