@@ -36,7 +36,7 @@ real Aero::wettedPart(const Vector3 &point, real surfaceHeight) const {
     return real_clamp((surfaceHeight - point.y) / fullDepth, 0, 1);
 }
 
-Vector3 Aero::getForceInWater(const Vector3 &flow, const RigidBody &body) const {
+Vector3 Aero::getForceInWater(Vector3 flow, const RigidBody &body) const {
     const Vector3 point = body.getPointInWorldSpace(position);
     const Water::Motion motion = water->getMotion(point);
     return getForceOf(flow - motion.velocity, body) * wettedPart(point, motion.height);

@@ -255,7 +255,7 @@ void RigidBody::dropLockedForces() {
     added.force = possible(added.force);
 }
 
-void RigidBody::wakeForForce(const Vector3 &force, const Vector3 &torque) {
+void RigidBody::wakeForForce(Vector3 force, Vector3 torque) {
     if (faulted) return;
     if (possible(force) != Vector3() || torque != Vector3())
         setAwake(true);

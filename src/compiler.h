@@ -38,7 +38,7 @@ namespace cyclone {
 namespace detail {
 
 /// How many objects ahead of the one being worked on to fetch from memory.
-constexpr std::size_t PREFETCH_AHEAD = 20;
+constexpr std::size_t PREFETCH_AHEAD = 12;
 
 /// Asks the processor to have these bytes ready soon.
 CYCLONE_INLINE void prefetch(const void *start, std::size_t size) {

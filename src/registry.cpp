@@ -195,7 +195,7 @@ private:
 CYCLONE_INLINE void ForceRegistry::prefetchFor(std::size_t index) const {
     const Registrations::Call &call = (*registrations)[index];
     if (call.body == nullptr) return;
-    prefetch(call.body, offsetof(RigidBody, orientation));
+    prefetch(call.body, offsetof(RigidBody, rotation));
     prefetch(call.generator, 192);
 }
 

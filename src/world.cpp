@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "arguments.h"
+#include "compiler.h"
 #include "growing.h"
 #include "members.h"
 #include "ownedbodies.h"
@@ -155,8 +156,10 @@ public:
 
     void run(std::size_t part) override {
         const std::size_t end = std::min((part + 1) * PARALLEL_PART, bodies.size());
-        for (std::size_t n = part * PARALLEL_PART; n < end; ++n)
+        for (std::size_t n = part * PARALLEL_PART; n < end; ++n) {
+            if (n + PREFETCH_AHEAD < bodies.size()) prefetch(bodies[n + PREFETCH_AHEAD], 1);
             if (bodies[n] != nullptr) bodies[n]->clearAccumulators();
+        }
     }
 
 private:
@@ -226,7 +229,10 @@ public:
 
     bool hasAnyFault() const { return anyFault; }
 
-    void run(std::size_t part) override {
+    /// From the last part to the first: generators were called for the last bodies last, and will be called
+    /// for the first ones first, so that these are still in the processor's cache.
+    void run(std::size_t partsDone) override {
+        const std::size_t part = (bodies.size() - 1) / PARALLEL_PART - partsDone;
         const std::size_t end = std::min((part + 1) * PARALLEL_PART, bodies.size());
         for (std::size_t begin = part * PARALLEL_PART, runEnd; begin < end; begin = runEnd + 1) {
             runEnd = begin;

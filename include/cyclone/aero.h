@@ -66,7 +66,7 @@ private:
     Vector3 getForceOf(const Vector3 &flow, const RigidBody &body) const {
         return body.getDirectionInWorldSpace(tensor * body.getDirectionInLocalSpace(flow));
     }
-    Vector3 getForceInWater(const Vector3 &flow, const RigidBody &body) const;
+    Vector3 getForceInWater(Vector3 flow, const RigidBody &body) const;
     real wettedPart(const Vector3 &point, real surfaceHeight) const;
 };
 

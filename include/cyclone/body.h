@@ -317,7 +317,7 @@ private:
     real actingTime(real duration) const { return 0.5 * (memory.linearKick + memory.angularKick + duration); }
     /// The resistance·duration up to which steps are wholly explicit; from twice that on they are implicit.
     static constexpr real EXPLICIT_LIMIT = 0.5;
-    void wakeForForce(const Vector3 &force, const Vector3 &torque);
+    void wakeForForce(Vector3 force, Vector3 torque);
 
     void forgetForces() { memory.linearKick = memory.angularKick = dampedDuration = 0; }
     void makeMovable(const char *function);
@@ -329,8 +329,9 @@ private:
     void fallAsleepIfIdle(real duration);
     void markFaulted();
 
-    // What generators read and write comes first, then what only the step does, then what it rarely needs:
-    // the less memory a frame touches, the faster a large world is.
+    // What generators write fills a cache line, what most of them read two more; then comes what only steps
+    // write, what they only read, and what they rarely need: the less memory a frame touches and changes, the
+    // faster a large world is.
     alignas(64) bool awake = true;
     bool canSleep = false;
     bool faulted = false;
@@ -339,19 +340,21 @@ private:
     std::uint8_t lockedMotion = 0;
     PrincipalFrame principalFrame;
     Marks marks;
+    real resistance = 0;  ///< what generators have told, at most, 1/s
+    Wrench generated;     ///< what generators have added since the last step
+
     Matrix4 transform;
     Vector3 velocity;
-    Vector3 rotation;
-    Wrench generated;  ///< what generators have added since the last step
     real inverseMass = 1;
-    Vector3 inverseInertia = Vector3(1, 1, 1);  ///< principal
-    real resistance = 0;                        ///< what generators have told, at most, 1/s
 
+    Vector3 rotation;
+    Vector3 inverseInertia = Vector3(1, 1, 1);  ///< principal
     Quaternion orientation;
     Vector3 angularMomentum;
-    Vector3 acceleration;
     Vector3 lastFrameAcceleration;
     Memory memory;
+
+    Vector3 acceleration;
     real linearDamping = 1, angularDamping = 1;
     real linearFactor = 1, angularFactor = 1;  ///< damping over half a step of dampedDuration
     real dampedDuration = 0;                   ///< 0: the factors are to be computed
