@@ -97,7 +97,6 @@ void World::requireCallersPart(const WorldStructure &then) const {
 
 void World::restoreStructure(const WorldStructure &then) {
     members->reserve(then.members);
-    faultedBodies.reserve(members->getBodiesAndGaps().capacity());
     registry.registrations->reserve(then.registrations);
 
     const auto livedThen = [&then](const RigidBody *body) {

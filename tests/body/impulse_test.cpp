@@ -128,6 +128,10 @@ TEST(Impulse, ThatIsNotFiniteOrLeadsToNoFiniteMotionIsRefused) {
     EXPECT_THROW(body.addImpulseAtPoint(Vector3(PLUS_INFINITY, 0, 0), Vector3()), std::invalid_argument);
     EXPECT_THROW(body.addImpulseAtPoint(Vector3(1, 0, 0), Vector3(0, QUIET_NAN, 0)), std::invalid_argument);
     EXPECT_THROW(body.addImpulseAtPoint(Vector3(1e308, 0, 0), Vector3(0, 1e308, 0)), std::invalid_argument);
+    RigidBody wall;
+    wall.setInverseMass(0);
+    EXPECT_THROW(wall.addImpulse(Vector3(0, QUIET_NAN, 0)), std::invalid_argument);
+    EXPECT_THROW(wall.addImpulseAtPoint(Vector3(0, QUIET_NAN, 0), Vector3()), std::invalid_argument);
     RigidBody light;
     light.setMass(1e-5);
     EXPECT_THROW(light.addImpulse(Vector3(1e306, 0, 0)), std::invalid_argument);

@@ -229,6 +229,14 @@ TEST(MassProperties, EverySumKeepsTheTriangleInequality) {
     }
 }
 
+TEST(MassProperties, OfAPointAndOfARodAreAtTheEdgeOfWhatIsPossible) {
+    EXPECT_TRUE(
+        isNear(MassProperties(2, Vector3(), diagonal(0, 0, 0)), MassProperties::box(Vector3(), Mass(2)), 0));
+    const Matrix3 rod = MassProperties(2, Vector3(), diagonal(1, 1e-10, 1 + 2e-10)).getInertiaTensor();
+    EXPECT_LE(rod.data[8], rod.data[0] + rod.data[4] + 1e-15) << "rounding is taken back";
+    EXPECT_TRUE(cyclone_test::isNear(rod, diagonal(1, 0, 1), 1e-9));
+}
+
 // ---- Bodies
 
 TEST(MassProperties, ABodyTakesThemOn) {

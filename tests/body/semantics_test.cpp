@@ -267,6 +267,20 @@ TEST(Damping, CountsFromTheNextStepOn) {
     }
 }
 
+TEST(Damping, OfOneKindMayChangeAlone) {
+    RigidBody body;
+    body.setVelocity(1, 0, 0);
+    body.setRotation(0, 1, 0);
+    body.setDamping(0.5, 0.9);
+    body.integrate(1);
+    body.setDamping(0.5, 0.1);
+    body.integrate(1);
+    body.setDamping(0.2, 0.1);
+    body.integrate(1);
+    EXPECT_TRUE(isNear(body.getVelocity(), Vector3(0.5 * 0.5 * 0.2, 0, 0), 1e-15));
+    EXPECT_TRUE(isNear(body.getRotation(), Vector3(0, 0.9 * 0.1 * 0.1, 0), 1e-15));
+}
+
 TEST(Damping, OfZeroStopsAtOnce) {
     RigidBody body;
     body.setDamping(0, 0);

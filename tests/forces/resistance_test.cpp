@@ -422,14 +422,14 @@ TEST(Resistance, ThatIsNotToldIsBoundToTheExplicitLimit) {
 
 namespace {
 
-/// What a user may write: honey, which resists motion and turning.
+/// What a user may write: honey, which resists motion and turning. A negative one feeds both.
 class Honey : public ForceGenerator {
 public:
     explicit Honey(real c) : coefficient(c) {}
     void updateForce(RigidBody *body, real) override {
         body->addForce(body->getVelocity() * -coefficient);
         body->addTorque(body->getRotation() * -coefficient);
-        body->addResistance(coefficient, coefficient);
+        body->addResistance(real_abs(coefficient), real_abs(coefficient));
     }
     void addResistance(const RigidBody &, Resistance &sum) const override {
         sum.forceByVelocity += isotropic(coefficient);
@@ -460,6 +460,23 @@ TEST(Resistance, OfAUsersOwnMayBeToldToo) {
         for (int n = 0; n < 60; ++n) step();
         expectDecay(fly, registry, Vector3(), strength);
     }
+}
+
+/// What feeds motion as fast as a step can follow is no resistance. Then Δ = c·a + … of RigidBody::resist
+/// holds with K = 1/(1 + γ|B|) along all directions, where the true 1/(1 − γ|B|) has no bound.
+TEST(Resistance, ThatFeedsMotionIsTakenForOneThatDoesNot) {
+    const real root3 = std::sqrt(3.0), gamma = (3 + root3) / 6;
+    const real strength = 0.999 / gamma, k = 1 / (1 + gamma * strength);
+    RigidBody fly;
+    fly.setVelocity(1, 0, 0);
+    Honey nectar(-strength / H);
+    ForceRegistry registry;
+    registry.add(&fly, &nectar);
+    registry.updateForces(H);
+    ASSERT_TRUE(fly.integrate(H));
+    // The first step kicks for half of its length, and closes with a half of what is lasting, K³·a.
+    const real kick = gamma * (k + k * k + (1 - root3) * k * k * k), closing = k * k * k;
+    EXPECT_NEAR(fly.getVelocity().x, 1 + strength * (kick + closing) / 2, 1e-12);
 }
 
 TEST(Resistance, IsTheSameWithThreads) {

@@ -143,6 +143,25 @@ TEST(WingResistance, IsNoLessThanWhatTheForceChangesBy) {
     }
 }
 
+/// Where a strongly cambered one stalls upside down, its lift falls off from far below zero.
+TEST(WingResistance, CountsTheStallOfACamberedWing) {
+    WingSection section;
+    section.zeroLiftAngle = -0.2;
+    section.stallAngle = 0.25;
+    Wing wing(1, 6, Vector3(), nullptr);
+    wing.setSection(section);
+    for (real angle = -0.6; angle < 0.6; angle += 0.001) {
+        RigidBody body;
+        body.setVelocity(Vector3(real_cos(angle), -real_sin(angle), 0) * 20);
+        Resistance sum;
+        wing.addResistance(body, sum);
+        const Vector3 across(real_sin(angle), real_cos(angle), 0);
+        EXPECT_GE(-(sum.forceByVelocity * across * across),
+                  differentiate(wing, body, across).magnitude() * 0.9999)
+            << angle;
+    }
+}
+
 const real AREAS[] = {1e-3, 0.1, 1, 10, 100, 1e4, 1e6};
 
 TEST(WingResistance, MotionNeverGrowsHoweverLargeTheWing) {

@@ -195,6 +195,12 @@ TEST(WingSection, RefusesWhatNoWingHas) {
     EXPECT_THROW(WingSection().getCoefficients(0, 0, 1.1), std::invalid_argument);
 }
 
+TEST(WingSection, MayStallAsLateAsItLikes) {
+    WingSection section;
+    section.stallAngle = 1.57;
+    EXPECT_EQ(section.findError(), nullptr);
+}
+
 TEST(WingSection, MayBeWithoutDrag) {
     WingSection section;
     section.leastDrag = 0;

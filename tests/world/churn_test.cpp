@@ -205,4 +205,35 @@ TEST(CrossBodyGenerators, AreForgottenByClear) {
     EXPECT_NEAR(velocityAfterOneFrameOf(concealing), STEP, 1e-15) << "taken for the caller's: a plain kick";
 }
 
+/// Runs one frame with the world's generators and one without: how fast the body is then.
+real velocityAfterAPush(World &world, const RigidBody &body) {
+    world.startFrame();
+    world.runPhysics(STEP);
+    world.getForceRegistry().clear();
+    world.startFrame();
+    world.runPhysics(STEP);
+    return body.getVelocity().x;
+}
+
+TEST(CrossBodyGenerators, AreNotForgottenWhenOthersEnd) {
+    World world;
+    RigidBody *const body = world.createBody(), *const another = world.createBody();
+    OnAnother open(another, false), own(body, true);
+    world.getForceRegistry().add(body, &open);
+    world.getForceRegistry().add(body, &own);
+    world.getForceRegistry().remove(&own);
+    EXPECT_NEAR(velocityAfterAPush(world, *another), STEP / 2, 1e-15);
+}
+
+TEST(CrossBodyGenerators, ComeBackWithASnapshot) {
+    World world;
+    RigidBody *const body = world.createBody(), *const another = world.createBody();
+    world.createForce<OnAnother>(body, another, false);
+    Snapshot before;
+    world.saveState(before);
+    world.getForceRegistry().clear();
+    world.restoreState(before);
+    EXPECT_NEAR(velocityAfterAPush(world, *another), STEP / 2, 1e-15);
+}
+
 }  // namespace

@@ -49,6 +49,13 @@ TEST_F(OwnedForces, ActOnTheirBodyFromCreationOn) {
     EXPECT_NEAR(body->getVelocity().x, 3 * STEP, 1e-15) << "the first call opens with half a kick";
 }
 
+TEST_F(OwnedForces, EndWithTheRegistryHoweverMany) {
+    for (int n = 0; n < 300; ++n) world.createForce<Push>(body, 1, alive);
+    world.getForceRegistry().clear();
+    EXPECT_EQ(alive, 0);
+    EXPECT_EQ(world.getForceRegistry().size(), 0U);
+}
+
 TEST_F(OwnedForces, EndWithTheirBody) {
     RigidBody mine;
     world.addBody(&mine);
