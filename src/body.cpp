@@ -90,10 +90,14 @@ void RigidBody::setPrincipalInertia(const Matrix3 &tensor, bool isInverse, const
 
 void RigidBody::setPrincipalFrame(const Vector3 &inverseMoments, const Quaternion &axes) {
     inverseInertia = inverseMoments;
+    principalAxes = axes;
+    updatePrincipalFrame();
+}
+
+void RigidBody::updatePrincipalFrame() {
     principalFrame.intermediateAxis = axisOfIntermediateValue(inverseInertia) & 3;
     principalFrame.hasLockedAxis = inverseInertia.x == 0 || inverseInertia.y == 0 || inverseInertia.z == 0;
-    principalFrame.isTurned = axes != Quaternion();
-    principalAxes = axes;
+    principalFrame.isTurned = principalAxes != Quaternion();
 }
 
 void RigidBody::setInertiaTensor(const Matrix3 &inertiaTensor) {

@@ -3,6 +3,7 @@
 /// @file
 /// What compilers offer for speed. Nothing here changes a result by one bit.
 #include <cstddef>
+#include <cstdint>
 
 /// Inline even where the compiler thinks it too long. A build may define it to be something else.
 #ifdef CYCLONE_INLINE
@@ -49,6 +50,16 @@ CYCLONE_INLINE void prefetch(const void *start, std::size_t size) {
 #else
     static_cast<void>(start);
     static_cast<void>(size);
+#endif
+}
+
+/// Has the value computed at this place. Gcc would put off a long row of such values, and keep in memory what
+/// they are to be computed from.
+CYCLONE_INLINE void computeNow(std::uint64_t &value) {
+#if defined(__GNUC__) && !defined(__clang__)
+    asm("" : "+r"(value));
+#else
+    static_cast<void>(value);
 #endif
 }
 

@@ -56,11 +56,12 @@ class Hash {
 public:
     static constexpr std::size_t LANES = 8, ROW = 8 * LANES;  ///< bytes: a word for each lane
 
+    /// Words go to the lanes in turn.
+    CYCLONE_INLINE void add(std::size_t lane, std::uint64_t word) { lanes[lane] = mixed(lanes[lane] ^ word); }
     /// Adds whole rows.
     CYCLONE_INLINE void add(const std::uint8_t *bytes, std::size_t size) {
         for (std::size_t n = 0; n < size; n += ROW)
-            for (std::size_t lane = 0; lane < LANES; ++lane)
-                lanes[lane] = mixed(lanes[lane] ^ loadWord(bytes + n + 8 * lane));
+            for (std::size_t lane = 0; lane < LANES; ++lane) add(lane, loadWord(bytes + n + 8 * lane));
     }
     std::uint64_t get() const {
         std::uint64_t result = MAGIC;
@@ -69,7 +70,11 @@ public:
     }
 
 private:
-    static constexpr std::uint64_t mixed(std::uint64_t word) { return swapHalves(word * 0x9e3779b97f4a7c15); }
+    CYCLONE_INLINE static std::uint64_t mixed(std::uint64_t word) {
+        word = swapHalves(word * 0x9e3779b97f4a7c15);
+        computeNow(word);
+        return word;
+    }
 
     std::uint64_t lanes[LANES] = {1, 2, 3, 4, 5, 6, 7, 8};
 };
@@ -81,16 +86,23 @@ private:
 constexpr std::size_t FLAGS = 54 * 8, PADDING = 55 * 8, RECORD = 56 * 8;
 constexpr unsigned FLAG_COUNT = 10;
 
-/// Writes numbers one after the other, in this machine's order of bytes, and collects flags.
+/// Adds words to a hash one after the other and, if it is to keep them, stores them; collects flags.
+template <bool KEEPS>
 struct RecordWriter {
-    std::uint8_t *next;
-    real zero;  ///< is added to each number: −0.0 changes none, 0.0 makes −0.0 to 0.0
+    Hash &hash;
+    std::uint8_t *bytes;  ///< for a record, if it keeps them
+    std::size_t count = 0;
     std::uint64_t flags = 0;
 
+    CYCLONE_INLINE void writeWord(std::uint64_t word) {
+        if (KEEPS) storeWord(bytes + 8 * count, word);
+        hash.add(count++ % Hash::LANES, word);
+    }
     CYCLONE_INLINE void operator()(const real &number) {
-        const real value = number + zero;
-        std::memcpy(next, &value, sizeof value);
-        next += 8;
+        const real value = KEEPS ? number : number + 0.0;  // which makes −0.0 to 0.0, and changes no other
+        std::uint64_t word;
+        std::memcpy(&word, &value, sizeof word);
+        writeWord(word);
     }
     CYCLONE_INLINE void operator()(const bool &flag) { flags = 2 * flags + (flag ? 1 : 0); }
     CYCLONE_INLINE void operator()(const std::uint8_t &threeFlags) { flags = 8 * flags + threeFlags; }
@@ -101,7 +113,7 @@ struct RecordWriter {
     }
 };
 
-/// Reads them back from little-endian bytes.
+/// Reads numbers and flags back.
 struct RecordReader {
     const std::uint8_t *next;
     std::uint64_t flags;
@@ -128,30 +140,27 @@ struct RecordReader {
     }
 };
 
-/// Where that is the machine's own order, the compiler leaves nothing of it.
-CYCLONE_INLINE void toLittleEndian(std::uint8_t *bytes, std::size_t size) {
-    for (std::size_t n = 0; n < size; n += 8) storeWord(bytes + n, loadNativeWord(bytes + n));
-}
-
-/// Which NaN comes out of an operation depends on the processor; in a record all are the same.
-void unifyNaNs(std::uint8_t *record) {
-    for (std::size_t n = 0; n < FLAGS; n += 8) {
-        const std::uint64_t word = loadWord(record + n);
-        if ((word & 0x7fffffffffffffff) > 0x7ff0000000000000) storeWord(record + n, 0x7ff8000000000000);
+/// Writes the record of each body.
+template <bool KEEPS>
+CYCLONE_INLINE void writeRecords(RigidBody *const *bodies, std::size_t count, Hash &hash,
+                                 std::uint8_t *bytes) {
+    RigidBody unified;
+    for (std::size_t n = 0; n < count; ++n) {
+        const RigidBody *body = bodies[n];
+        if (StateMembers::mayHoldNaNs(*body)) {
+            unified = *body;
+            StateMembers::unifyNaNs(unified);
+            body = &unified;
+        }
+        RecordWriter<KEEPS> write{hash, KEEPS ? bytes + n * RECORD : nullptr};
+        EachNumber<RecordWriter<KEEPS>> writeNumbers{write};
+        const Vector3 position = body->getPosition();
+        writeNumbers(position);
+        StateMembers::visitIndependent(*body, writeNumbers);
+        StateMembers::visitReciprocals(*body, write);
+        write.writeWord(write.flags);
+        write.writeWord(0);
     }
-}
-
-CYCLONE_INLINE void storeRecord(std::uint8_t *bytes, const RigidBody &body, real zero) {
-    RecordWriter write{bytes, zero};
-    EachNumber<RecordWriter> writeNumbers{write};
-    const Vector3 position = body.getPosition();
-    writeNumbers(position);
-    StateMembers::visitIndependent(body, writeNumbers);
-    StateMembers::visitReciprocals(body, write);
-    toLittleEndian(bytes, FLAGS);
-    storeWord(bytes + FLAGS, write.flags);
-    storeWord(bytes + PADDING, 0);
-    if (StateMembers::mayHoldNaNs(body)) unifyNaNs(bytes);
 }
 
 /// Body is a RigidBody or a State.
@@ -195,15 +204,10 @@ void writeSnapshot(RigidBody *const *bodies, std::size_t count, Snapshot &snapsh
     Hash checksum;
     storeHeader(bytes, count);
     checksum.add(bytes, HEADER);
-    bytes += HEADER;
-    for (std::size_t n = 0; n < count; ++n) {
-        storeRecord(bytes, *bodies[n], -0.0);
-        checksum.add(bytes, RECORD);
-        bytes += RECORD;
-    }
+    writeRecords<true>(bodies, count, checksum, bytes + HEADER);
     snapshot.writtenChecksum = checksum.get();
     snapshot.structure.reset();
-    storeWord(bytes, snapshot.writtenChecksum);
+    storeWord(bytes + snapshot.size() - CHECKSUM, snapshot.writtenChecksum);
 }
 
 const char *findSnapshotError(const Snapshot &snapshot, std::size_t count) {
@@ -240,13 +244,10 @@ void detail::loadStates(const Snapshot &snapshot, RigidBody *const *bodies, std:
 
 std::uint64_t hashStates(RigidBody *const *bodies, std::size_t count) {
     Hash hash;
-    std::uint8_t bytes[RECORD];
-    storeHeader(bytes, count);
-    hash.add(bytes, HEADER);
-    for (std::size_t n = 0; n < count; ++n) {
-        storeRecord(bytes, *bodies[n], 0.0);
-        hash.add(bytes, RECORD);
-    }
+    std::uint8_t header[HEADER];
+    storeHeader(header, count);
+    hash.add(header, HEADER);
+    writeRecords<false>(bodies, count, hash, nullptr);
     return hash.get();
 }
 

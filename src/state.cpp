@@ -36,10 +36,18 @@ void RigidBody::setState(const State &state) {
 
 void StateMembers::updateDerived(RigidBody &body) {
     body.calculateDerivedData();
-    body.setPrincipalFrame(body.inverseInertia, body.principalAxes);
+    body.updatePrincipalFrame();
     body.hasAdded = !isZero(body.added);
     body.hasGenerated = !isZero(body.generated);
     body.dampedDuration = 0;
+}
+
+void StateMembers::unifyNaNs(RigidBody &body) {
+    const auto unify = [](real &number) {
+        if (number != number) number = std::numeric_limits<real>::quiet_NaN();
+    };
+    for (Wrench *const wrench : {&body.added, &body.generated})
+        EachNumber<const decltype(unify)>{unify}(*wrench);
 }
 
 // ---- What is possible

@@ -94,6 +94,8 @@ struct StateMembers {
 
     /// Of all numbers only forces can be NaN, poisoned ones that were added since the last step.
     static bool mayHoldNaNs(const RigidBody &body) { return body.hasAdded || body.hasGenerated; }
+    /// Which NaN comes out of an operation depends on the processor: makes all of them the same.
+    static void unifyNaNs(RigidBody &body);
 
     static void setPosition(RigidBody &body, const Vector3 &p) { body.transform.setAxisVector(3, p); }
     static void setPosition(State &state, const Vector3 &p) { state.position = p; }

@@ -323,6 +323,7 @@ private:
     void makeMovable(const char *function);
     void setPrincipalInertia(const Matrix3 &tensor, bool isInverse, const char *function);
     void setPrincipalFrame(const Vector3 &inverseMoments, const Quaternion &axes);
+    void updatePrincipalFrame();
     Vector3 angularMomentumFor(const Vector3 &turning, const Quaternion &bodyToWorld) const;
     Matrix3 getPrincipalAxesInWorld() const;
 
