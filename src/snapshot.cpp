@@ -142,8 +142,7 @@ struct RecordReader {
 
 /// Writes the record of each body.
 template <bool KEEPS>
-CYCLONE_INLINE void writeRecords(RigidBody *const *bodies, std::size_t count, Hash &hash,
-                                 std::uint8_t *bytes) {
+CYCLONE_INLINE void writeRecords(RigidBody *const *bodies, std::size_t count, RecordWriter<KEEPS> next) {
     RigidBody unified;
     for (std::size_t n = 0; n < count; ++n) {
         const RigidBody *body = bodies[n];
@@ -152,7 +151,7 @@ CYCLONE_INLINE void writeRecords(RigidBody *const *bodies, std::size_t count, Ha
             StateMembers::unifyNaNs(unified);
             body = &unified;
         }
-        RecordWriter<KEEPS> write{hash, KEEPS ? bytes + n * RECORD : nullptr};
+        RecordWriter<KEEPS> write = next;
         EachNumber<RecordWriter<KEEPS>> writeNumbers{write};
         const Vector3 position = body->getPosition();
         writeNumbers(position);
@@ -160,6 +159,7 @@ CYCLONE_INLINE void writeRecords(RigidBody *const *bodies, std::size_t count, Ha
         StateMembers::visitReciprocals(*body, write);
         write.writeWord(write.flags);
         write.writeWord(0);
+        if (KEEPS) next.bytes += RECORD;
     }
 }
 
@@ -204,7 +204,7 @@ void writeSnapshot(RigidBody *const *bodies, std::size_t count, Snapshot &snapsh
     Hash checksum;
     storeHeader(bytes, count);
     checksum.add(bytes, HEADER);
-    writeRecords<true>(bodies, count, checksum, bytes + HEADER);
+    writeRecords(bodies, count, RecordWriter<true>{checksum, bytes + HEADER});
     snapshot.writtenChecksum = checksum.get();
     snapshot.structure.reset();
     storeWord(bytes + snapshot.size() - CHECKSUM, snapshot.writtenChecksum);
@@ -247,7 +247,7 @@ std::uint64_t hashStates(RigidBody *const *bodies, std::size_t count) {
     std::uint8_t header[HEADER];
     storeHeader(header, count);
     hash.add(header, HEADER);
-    writeRecords<false>(bodies, count, hash, nullptr);
+    writeRecords(bodies, count, RecordWriter<false>{hash, nullptr});
     return hash.get();
 }
 
