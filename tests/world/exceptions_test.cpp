@@ -150,7 +150,7 @@ TEST(AJobSystemThatThrows, LeavesTheWorldUsable) {
     world.setJobSystem(&jobs);
     for (int n = 0; n < 5000; ++n) world.createBody()->setVelocity(60, 0, 0);
     const World::RigidBodies bodies = world.getBodies();
-    for (const std::size_t n : {3, 4996}) bodies[n]->addForce(Vector3(QUIET_NAN, 0, 0));
+    for (const std::size_t n : {3U, 4996U}) bodies[n]->addForce(Vector3(QUIET_NAN, 0, 0));
     jobs.gives = true;
     jobs.after = 4;
     EXPECT_THROW(world.integrate(STEP), std::runtime_error);
@@ -159,7 +159,7 @@ TEST(AJobSystemThatThrows, LeavesTheWorldUsable) {
     const real first = positionOf(10), last = positionOf(4990);
     EXPECT_NEAR(first + last, 1, 1e-14) << "some have moved, and some have not";
     jobs.gives = false;
-    for (const std::size_t n : {3, 4996}) world.destroyBody(bodies[n]);
+    for (const std::size_t n : {3U, 4996U}) world.destroyBody(bodies[n]);
     world.createBody();
     world.startFrame();
     world.runPhysics(STEP);
