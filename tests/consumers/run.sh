@@ -146,9 +146,8 @@ guest FetchContent -DCMAKE_BUILD_TYPE=Debug -DBY_FETCHCONTENT=ON -DBUILD_SHARED_
 
 mkdir "$work/engine"
 cp -r "$tree/include" "$tree"/src/*.{h,cpp} "$here/falling.cpp" "$work/engine"
-for standard in c++17 c++20; do
-    for compiler in g++ clang++; do copied $compiler $standard; done
-done
+copied g++ c++17
+copied clang++ c++20
 
 windows windows-static
 windows windows-dll -DBUILD_SHARED_LIBS=ON

@@ -20,11 +20,27 @@ done | xargs -0 -P 2 -I{} bash -c 'source=$1 work=$2; shift 2
     clang++ "$@" -c "$source" -o "$work/$(basename "$source").o"' _ {} "$work" "${flags[@]}" \
     -fsanitize=fuzzer-no-link,address,undefined
 
-for target in calls snapshots inertia precision; do
-    clang++ "${flags[@]}" -fsanitize=fuzzer,address,undefined "$root/tests/fuzz/$target.cpp" "$work"/*.o -pthread \
-        -o "$work/$target"
-    mkdir -p "$work/corpus/$target"
-    echo "== $target, $seconds s"
-    (cd "$work" && "./$target" -seed="${SEED:-1}" -max_total_time="$seconds" -timeout=30 -rss_limit_mb=1500 \
-        -max_len=600 -verbosity=0 -print_final_stats=1 "corpus/$target" "$root/tests/fuzz/corpus/$target")
+fuzz() { # target
+    clang++ "${flags[@]}" -fsanitize=fuzzer,address,undefined "$root/tests/fuzz/$1.cpp" "$work"/*.o -pthread \
+        -o "$work/$1"
+    mkdir -p "$work/corpus/$1"
+    cd "$work"
+    "./$1" -seed="${SEED:-1}" -max_total_time="$seconds" -timeout=30 -rss_limit_mb=1500 -max_len=600 -verbosity=0 \
+        -print_final_stats=1 "corpus/$1" "$root/tests/fuzz/corpus/$1"
+}
+
+# Two at a time.
+failures=0
+for pair in "calls precision" "snapshots inertia"; do
+    started=()
+    for target in $pair; do
+        fuzz "$target" >"$work/$target.log" 2>&1 &
+        started+=($!)
+    done
+    for job in "${started[@]}"; do wait "$job" || failures=$((failures + 1)); done
+    for target in $pair; do
+        echo "== $target, $seconds s"
+        cat "$work/$target.log"
+    done
 done
+exit $((failures > 0))
