@@ -115,7 +115,7 @@ real spectralRadius(Matrix6 m) {
         m = m * m;
     }
     real radius = 1;
-    for (int n = 4; n >= 0; --n) radius = sizes[n] * (n < 4 ? real_sqrt(radius) : radius);
+    for (int n = 4; n >= 0; --n) radius = sizes[n] * real_sqrt(radius);
     return radius;
 }
 
