@@ -143,12 +143,12 @@ TEST(WingResistance, IsNoLessThanWhatTheForceChangesBy) {
     }
 }
 
-/// Where a strongly cambered one stalls upside down, its lift falls off from far below zero.
+/// Where a strongly cambered one stalls, its lift falls off from higher than another's.
 TEST(WingResistance, CountsTheStallOfACamberedWing) {
     WingSection section;
     section.zeroLiftAngle = -0.2;
     section.stallAngle = 0.25;
-    Wing wing(1, 6, Vector3(), nullptr);
+    Wing wing(6, 1, Vector3(), nullptr);
     wing.setSection(section);
     for (real angle = -0.6; angle < 0.6; angle += 0.001) {
         RigidBody body;
