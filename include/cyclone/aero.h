@@ -66,6 +66,7 @@ private:
     Vector3 getForceOf(const Vector3 &flow, const RigidBody &body) const {
         return body.getDirectionInWorldSpace(tensor * body.getDirectionInLocalSpace(flow));
     }
+    /// By value, lest callers that are in no water keep the vector in memory.
     Vector3 getForceInWater(Vector3 flow, const RigidBody &body) const;
     real wettedPart(const Vector3 &point, real surfaceHeight) const;
 };

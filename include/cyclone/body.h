@@ -317,6 +317,7 @@ private:
     real actingTime(real duration) const { return 0.5 * (memory.linearKick + memory.angularKick + duration); }
     /// The resistance·duration up to which steps are wholly explicit; from twice that on they are implicit.
     static constexpr real EXPLICIT_LIMIT = 0.5;
+    /// By value, lest callers, which seldom come here, keep their vectors in memory.
     void wakeForForce(Vector3 force, Vector3 torque);
 
     void forgetForces() { memory.linearKick = memory.angularKick = dampedDuration = 0; }
