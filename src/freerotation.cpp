@@ -140,26 +140,49 @@ CYCLONE_INLINE void turnOrientation(FreeRotation &b, const Work &w, int lanes) {
     }
 }
 
-/// The matrix R of the new orientation, and the rotation R·diag(i0, i1, i2)·Rᵀ·L.
-CYCLONE_INLINE void updateRotation(FreeRotation &b, int lanes) {
+/// R, the matrix of the orientation.
+CYCLONE_INLINE void updateMatrix(FreeRotation &b, int lanes) {
     for (int n = 0; n < lanes; ++n) {
         const real r = b.orientation[0][n], i = b.orientation[1][n], j = b.orientation[2][n],
                    k = b.orientation[3][n];
         const real ii = 2 * i * i, jj = 2 * j * j, kk = 2 * k * k, ij = 2 * i * j, ik = 2 * i * k,
                    jk = 2 * j * k, ri = 2 * r * i, rj = 2 * r * j, rk = 2 * r * k;
-        const real xx = 1 - (jj + kk), xy = ij - rk, xz = ik + rj;
-        const real yx = ij + rk, yy = 1 - (ii + kk), yz = jk - ri;
-        const real zx = ik - rj, zy = jk + ri, zz = 1 - (ii + jj);
+        b.matrix[0][0][n] = 1 - (jj + kk), b.matrix[0][1][n] = ij - rk, b.matrix[0][2][n] = ik + rj;
+        b.matrix[1][0][n] = ij + rk, b.matrix[1][1][n] = 1 - (ii + kk), b.matrix[1][2][n] = jk - ri;
+        b.matrix[2][0][n] = ik - rj, b.matrix[2][1][n] = jk + ri, b.matrix[2][2][n] = 1 - (ii + jj);
+    }
+}
+
+/// R·diag(i0, i1, i2)·Rᵀ·L; R is that of the principal axes.
+CYCLONE_INLINE void updateRotation(FreeRotation &b, int lanes) {
+    for (int n = 0; n < lanes; ++n) {
+        const real xx = b.matrix[0][0][n], xy = b.matrix[0][1][n], xz = b.matrix[0][2][n];
+        const real yx = b.matrix[1][0][n], yy = b.matrix[1][1][n], yz = b.matrix[1][2][n];
+        const real zx = b.matrix[2][0][n], zy = b.matrix[2][1][n], zz = b.matrix[2][2][n];
         const real x = b.finalMomentum[0][n], y = b.finalMomentum[1][n], z = b.finalMomentum[2][n];
         const real w0 = b.inverseInertia[0][n] * (xx * x + yx * y + zx * z);
         const real w1 = b.inverseInertia[1][n] * (xy * x + yy * y + zy * z);
         const real w2 = b.inverseInertia[2][n] * (xz * x + yz * y + zz * z);
-        b.matrix[0][0][n] = xx, b.matrix[0][1][n] = xy, b.matrix[0][2][n] = xz;
-        b.matrix[1][0][n] = yx, b.matrix[1][1][n] = yy, b.matrix[1][2][n] = yz;
-        b.matrix[2][0][n] = zx, b.matrix[2][1][n] = zy, b.matrix[2][2][n] = zz;
         b.rotation[0][n] = xx * w0 + xy * w1 + xz * w2;
         b.rotation[1][n] = yx * w0 + yy * w1 + yz * w2;
         b.rotation[2][n] = zx * w0 + zy * w1 + zz * w2;
+    }
+}
+
+/// From the orientations of turned bodies to those of their principal axes, or back (sign −1).
+CYCLONE_INLINE void turnByAxes(FreeRotation &b, int lanes, real sign) {
+    for (int n = 0; n < lanes; ++n) {
+        const real r = b.orientation[0][n], i = b.orientation[1][n], j = b.orientation[2][n],
+                   k = b.orientation[3][n];
+        const real pr = b.principalAxes[0][n], pi = sign * b.principalAxes[1][n],
+                   pj = sign * b.principalAxes[2][n], pk = sign * b.principalAxes[3][n];
+        const bool turned = b.isTurned[n] > 0;
+        const real qr = r * pr - i * pi - j * pj - k * pk, qi = r * pi + i * pr + j * pk - k * pj,
+                   qj = r * pj + j * pr + k * pi - i * pk, qk = r * pk + k * pr + i * pj - j * pi;
+        b.orientation[0][n] = turned ? qr : r;
+        b.orientation[1][n] = turned ? qi : i;
+        b.orientation[2][n] = turned ? qj : j;
+        b.orientation[3][n] = turned ? qk : k;
     }
 }
 
@@ -213,6 +236,7 @@ void advanceInSubsteps(FreeRotation &block, int lane, real h) {
 
 CYCLONE_INLINE void advanceLanes(FreeRotation &block, int lanes, real h) {
     Work work;
+    if (block.areAnyTurned) turnByAxes(block, lanes, 1);
     computeTurns(block, work, lanes, h);
 
     real before[4][FreeRotation::LANES];
@@ -224,7 +248,18 @@ CYCLONE_INLINE void advanceLanes(FreeRotation &block, int lanes, real h) {
         for (int part = 0; part < 4; ++part) block.orientation[part][n] = before[part][n];
         advanceInSubsteps(block, n, h);
     }
+    updateMatrix(block, lanes);
     updateRotation(block, lanes);
+    if (!block.areAnyTurned) return;
+    turnByAxes(block, lanes, -1);
+    updateMatrix(block, lanes);
+}
+
+/// Those of bodies that are not turned, so that all lanes can be computed alike.
+void fillOtherAxes(FreeRotation &block, int lanes) {
+    for (int n = 0; n < lanes; ++n)
+        if (block.isTurned[n] == 0)
+            for (int part = 0; part < 4; ++part) block.principalAxes[part][n] = part == 0 ? 1 : 0;
 }
 
 CYCLONE_TARGET_CLONES void advanceBlock(FreeRotation &block, real h) {
@@ -234,6 +269,7 @@ CYCLONE_TARGET_CLONES void advanceBlock(FreeRotation &block, real h) {
 }  // namespace
 
 void FreeRotation::advance(int lanes, real duration) {
+    if (areAnyTurned) fillOtherAxes(*this, lanes);
     if (lanes == LANES)
         advanceBlock(*this, duration);
     else if (lanes == 1)

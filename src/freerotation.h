@@ -33,8 +33,13 @@ struct CYCLONE_API FreeRotation {
     Lanes momentum[3];        ///< angular momentum during the step, world, kg·m²/s
     Lanes finalMomentum[3];   ///< angular momentum after the step's last kick, world
 
+    // In, where there are turned bodies: such as have principal axes that are not their own.
+    bool areAnyTurned = false;
+    Lanes isTurned;          ///< 1, or 0 for the others
+    Lanes principalAxes[4];  ///< of turned ones: r, i, j, k; from principal axes to body axes, unit
+
     // In and out.
-    Lanes orientation[4];  ///< r, i, j, k; from principal axes to world, unit
+    Lanes orientation[4];  ///< r, i, j, k; from body axes to world, unit
 
     // Out.
     Lanes matrix[3][3];  ///< of the new orientation

@@ -126,10 +126,15 @@ CYCLONE_INLINE bool StepBlock::commit(const Entry &entry, const Quaternion &orie
 
 CYCLONE_INLINE void StepBlock::gather(const RigidBody &body, const AngularImpulse &impulse, int lane) {
     const Renumbering &axis = RENUMBERINGS[body.principalFrame.intermediateAxis];
-    const Quaternion q =
-        body.principalFrame.isTurned ? body.orientation * body.principalAxes : body.orientation;
+    const Quaternion &q = body.orientation, &p = body.principalAxes;
     freeRotation.orientation[0][lane] = q.r;
     storeRenumbered(freeRotation.orientation + 1, axis, lane, Vector3(q.i, q.j, q.k));
+    freeRotation.isTurned[lane] = body.principalFrame.isTurned;
+    if (body.principalFrame.isTurned) {
+        freeRotation.areAnyTurned = true;
+        freeRotation.principalAxes[0][lane] = p.r;
+        storeRenumbered(freeRotation.principalAxes + 1, axis, lane, Vector3(p.i, p.j, p.k));
+    }
     storeRenumbered(freeRotation.inverseInertia, axis, lane, body.inverseInertia);
 
     const Vector3 momentum = (body.angularMomentum + impulse.kick) * body.angularFactor + impulse.halfKick;
@@ -141,13 +146,10 @@ CYCLONE_INLINE void StepBlock::scatter(const Entry &entry, int lane) {
     RigidBody &body = *entry.body;
     const Renumbering &axis = RENUMBERINGS[body.principalFrame.intermediateAxis];
     const Vector3 v = loadRenumbered(freeRotation.orientation + 1, axis, lane);
-    Quaternion orientation(freeRotation.orientation[0][lane], v.x, v.y, v.z);
-    if (body.principalFrame.isTurned) orientation *= body.principalAxes.conjugate();
-
+    const Quaternion orientation(freeRotation.orientation[0][lane], v.x, v.y, v.z);
     if (!commit(entry, orientation, loadRenumbered(freeRotation.rotation, axis, lane),
                 loadRenumbered(freeRotation.finalMomentum, axis, lane)))
         return;
-    if (body.principalFrame.isTurned) return body.calculateDerivedData();
     for (std::size_t row = 0; row < 3; ++row) {
         const Vector3 r = loadRenumbered(freeRotation.matrix[axis[row]], axis, lane);
         real *const target = body.transform.data + 4 * row;
@@ -199,6 +201,7 @@ std::size_t StepBlock::finish() {
     if (count > 0) freeRotation.advance(count, duration);
     for (int lane = 0; lane < count; ++lane) scatter(entries[lane], lane);
     count = 0;
+    freeRotation.areAnyTurned = false;
     return faults;
 }
 
