@@ -31,6 +31,11 @@ TEST(Print, ReadsAsInABook) {
     EXPECT_EQ(printed(Vector3(-QUIET_NAN, 1e300, -0.0)), "(nan, 1e+300, -0)");
 }
 
+TEST(Print, AFewDigitsStayAFewDigits) {
+    // Sixteen digits of the double next to 0.94 are 0.9399999999999999.
+    EXPECT_EQ(printed(Vector3(0.94, 0.943, 0.009)), "(0.94, 0.943, 0.009)");
+}
+
 TEST(Print, Bodies) {
     RigidBody body;
     body.setMass(2.5);

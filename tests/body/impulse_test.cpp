@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <stdexcept>
+#include <string>
 
 #include "random.h"
 
@@ -134,7 +135,12 @@ TEST(Impulse, ThatIsNotFiniteOrLeadsToNoFiniteMotionIsRefused) {
     EXPECT_THROW(wall.addImpulseAtPoint(Vector3(0, QUIET_NAN, 0), Vector3()), std::invalid_argument);
     RigidBody light;
     light.setMass(1e-5);
-    EXPECT_THROW(light.addImpulse(Vector3(1e306, 0, 0)), std::invalid_argument);
+    try {
+        light.addImpulse(Vector3(1e306, 0, 0));
+        FAIL();
+    } catch (const std::invalid_argument &error) {
+        EXPECT_EQ(std::string(error.what()).find("RigidBody::addImpulse:"), 0U) << error.what();
+    }
     EXPECT_EQ(light.getVelocity(), Vector3());
     RigidBody *const its = &body;
     EXPECT_EQ(hashStates(&its, 1), hash);

@@ -155,6 +155,17 @@ TEST(Quaternion, InterpolationsGoFromTheOneToTheOther) {
     }
 }
 
+TEST(Quaternion, InterpolationsAcrossHalfATurnTakeTheGivenWay) {
+    const real half = std::sqrt(0.5);
+    for (real way : {1, -1}) {
+        const Quaternion s = Quaternion::sphericalInterpolate(Quaternion(), Quaternion(0, 0, way, 0), 0.5);
+        EXPECT_NEAR(s.r, half, 1e-15);
+        EXPECT_NEAR(s.j, way * half, 1e-15);
+        const Quaternion l = Quaternion::linearInterpolate(Quaternion(), Quaternion(0, 0, way, 0), 0.5);
+        EXPECT_NEAR(l.j, way * half, 1e-15);
+    }
+}
+
 TEST(Quaternion, InterpolationsAcrossTinyAndGreatAngles) {
     for (real angle : {0.0, 1e-12, 1e-7, 2e-6, 3e-6, 1e-3, 3.14, REAL_PI}) {
         const Quaternion b = Quaternion::fromAxisAngle(Vector3(1, 2, 2), angle);

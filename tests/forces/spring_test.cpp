@@ -222,6 +222,8 @@ TEST(DampedBungee, NeverPushes) {
     body.setVelocity(0, 5, 0);
     EXPECT_EQ(rope.getTension(body), 0) << "slack, however fast it is being stretched";
     EXPECT_EQ(rope.getForce(body), Vector3());
+    body.setPosition(0, 2, 0);
+    EXPECT_EQ(rope.getTension(body), 0) << "just taut";
     body.setPosition(0, 2.5, 0);
     EXPECT_DOUBLE_EQ(rope.getTension(body), 100 * 0.5 + 30 * 5);
     body.setVelocity(0, -5, 0);

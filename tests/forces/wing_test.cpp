@@ -163,6 +163,12 @@ TEST(WingSection, CentreOfPressureGoesFromTheQuarterToTheThreeQuarterPoint) {
     EXPECT_NEAR(leverAt(178 * DEGREE), 0.5, 0.005);
 }
 
+TEST(WingSection, MayBeAsSteepAndAsThickAsNumbersGo) {
+    WingSection section;
+    section.liftSlope = section.leastDrag = section.plateDrag = REAL_MAX;
+    EXPECT_EQ(section.findError(), nullptr);
+}
+
 TEST(WingSection, RefusesWhatNoWingHas) {
     const struct {
         const char *word;

@@ -45,6 +45,14 @@ TEST(Workers, RunEachPartOnce) {
     }
 }
 
+TEST(Workers, MayBeAsManyAsTheLimitSays) {
+    Workers workers(Workers::MAX_THREADS);
+    Counting job(1000);
+    workers.parallelFor(1000, job);
+    for (const std::atomic<int> &runs : job.runs) ASSERT_EQ(runs, 1);
+    EXPECT_THROW(Workers(Workers::MAX_THREADS + 1), std::invalid_argument);
+}
+
 TEST(Workers, ShareTheWorkWithTheCaller) {
     // Each part waits until all four have begun: it takes four threads at once.
     struct Meeting : JobSystem::Job {

@@ -196,6 +196,31 @@ TEST_F(Rewound, TheCallersPartMustBeThere) {
     world.addBody(&late);  // it had been taken out
 }
 
+TEST_F(Rewound, WhatTheCallerRegisteredLaterIsTakenOutOnly) {
+    world.saveState(before);
+    Drag drag(1, 0);
+    world.getForceRegistry().add(first, &drag);
+    world.restoreState(before);
+    EXPECT_EQ(world.getForceRegistry().size(), 0U);
+    world.getForceRegistry().add(first, &drag);  // it is the caller's as before
+    first->setVelocity(1, 0, 0);
+    frame(world);
+    EXPECT_LT(first->getVelocity().x, 1);
+}
+
+TEST(Rollback, ToAnEmptyWorldFreesThePlaces) {
+    World world;
+    Snapshot empty;
+    world.saveState(empty);
+    std::vector<const RigidBody *> places;
+    for (std::size_t n = 0; n < 500; ++n) {
+        const RigidBody *const body = world.createBody();
+        if (std::find(places.begin(), places.end(), body) == places.end()) places.push_back(body);
+        world.restoreState(empty);
+    }
+    EXPECT_LT(places.size(), 70U);
+}
+
 TEST_F(Rewound, BytesAloneKeepTheRuleOfEqualNumbers) {
     world.createForce<Counted>(first, alive);
     world.saveState(before);
