@@ -1,5 +1,7 @@
 #include "addressmap.h"
 
+#include "compiler.h"
+
 namespace cyclone {
 namespace detail {
 
@@ -25,10 +27,12 @@ void AddressMap::assign(const AddressMap &other) {
         if (slot.address != nullptr) set(slot.address, slot.number);
 }
 
-/// Fibonacci hashing (Knuth 1973): the multiplier is 2⁶⁴ divided by the golden ratio.
+/// Fibonacci hashing (Knuth 1973): the multiplier is 2⁶⁴ divided by the golden ratio. Objects in a row are at
+/// equal distances, many multiples of which can be close together: the higher bits shift these.
 std::size_t AddressMap::homeOf(const void *address) const {
-    const std::uint64_t bits = static_cast<std::uint64_t>(reinterpret_cast<std::uintptr_t>(address));
-    return static_cast<std::size_t>((bits >> 3) * 0x9e3779b97f4a7c15 >> shift);
+    std::uint64_t bits = static_cast<std::uint64_t>(reinterpret_cast<std::uintptr_t>(address)) >> 3;
+    bits ^= bits >> 8;
+    return static_cast<std::size_t>(bits * 0x9e3779b97f4a7c15 >> shift);
 }
 
 /// Where the address is, or the empty slot where it would be.
@@ -36,6 +40,10 @@ std::size_t AddressMap::slotOf(const void *address) const {
     std::size_t n = homeOf(address);
     while (slots[n].address != nullptr && slots[n].address != address) n = (n + 1) & (slots.size() - 1);
     return n;
+}
+
+void AddressMap::prefetch(const void *address) const {
+    if (used > 0) detail::prefetch(&slots[homeOf(address)], sizeof(Slot));
 }
 
 std::uint64_t AddressMap::find(const void *address) const {

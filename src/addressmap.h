@@ -19,6 +19,8 @@ public:
     void reserve(std::size_t count);
     /// The number of this address; NONE without one.
     std::uint64_t find(const void *address) const;
+    /// Has memory ready for what follows with this address.
+    void prefetch(const void *address) const;
     /// Gives the address its number, or another one.
     void set(const void *address, std::uint64_t number);
     void erase(const void *address);

@@ -30,8 +30,9 @@ public:
     }
     /// If the system refuses a thread, those that exist end with the crew.
     void start(std::size_t helpers) {
+        ranges = std::vector<Range>(helpers + 1);
         threads.reserve(helpers);
-        for (std::size_t n = 0; n < helpers; ++n) threads.emplace_back([this] { waitAndWork(); });
+        for (std::size_t n = 1; n <= helpers; ++n) threads.emplace_back([this, n] { waitAndWork(n); });
     }
     Crew(const Crew &) = delete;
     Crew &operator=(const Crew &) = delete;
@@ -41,7 +42,8 @@ public:
             for (std::size_t part = 0; part < partCount; ++part) work.run(part);
             return;
         }
-        takeParts();
+        takeParts(0);
+        lookFor([this] { return active == 0; });
         std::unique_lock<std::mutex> lock(mutex);
         completion.wait(lock, [this] { return active == 0; });
         job = nullptr;
@@ -49,51 +51,86 @@ public:
     }
 
 private:
+    /// Parts that belong to one thread, in a cache line of its own.
+    struct alignas(64) Range {
+        std::size_t begin = 0, size = 0;
+        std::atomic<std::size_t> taken{0};
+    };
+
+    static constexpr int LOOKS = 300;  // a tenth of a millisecond
+
     /// False if there is a task already.
     bool announce(std::size_t partCount, Job &work) {
         {
             const std::lock_guard<std::mutex> lock(mutex);
             if (job != nullptr) return false;
             job = &work;
-            count = partCount;
-            next = 0;
+            deal(partCount);
             ++task;
         }
         announcement.notify_all();
         return true;
     }
 
-    void waitAndWork() {
-        std::unique_lock<std::mutex> lock(mutex);
+    /// The same parts to the same thread each time, and from the other end: what it has worked on last is
+    /// still in its processor's cache.
+    void deal(std::size_t partCount) {
+        const std::size_t share = partCount / ranges.size(), rest = partCount % ranges.size();
+        std::size_t begin = 0;
+        for (std::size_t n = 0; n < ranges.size(); ++n) {
+            ranges[n].begin = begin;
+            ranges[n].size = share + (n < rest ? 1 : 0);
+            ranges[n].taken = 0;
+            begin += ranges[n].size;
+        }
+        isBackward = !isBackward;
+    }
+
+    void waitAndWork(std::size_t self) {
         for (std::size_t seen = 0;;) {
-            announcement.wait(lock, [&] { return ending || task != seen; });
+            const auto isAnnounced = [&] { return ending || task != seen; };
+            lookFor(isAnnounced);
+            std::unique_lock<std::mutex> lock(mutex);
+            announcement.wait(lock, isAnnounced);
             if (ending) return;
             seen = task;
             if (job == nullptr) continue;
             ++active;
             lock.unlock();
-            takeParts();
+            takeParts(self);
             lock.lock();
             if (--active == 0) completion.notify_one();
         }
     }
 
-    void takeParts() {
+    /// Looks often before it is worth going to sleep: a frame's loops follow each other closely, and waking a
+    /// thread takes some tens of microseconds.
+    template <class Condition>
+    static void lookFor(const Condition &condition) {
+        for (int looks = 0; looks < LOOKS && !condition(); ++looks) std::this_thread::yield();
+    }
+
+    void takeParts(std::size_t self) {
 #ifdef __cpp_exceptions
         try {
-            runParts();
+            runParts(self);
         } catch (...) {
-            next = count;
+            for (Range &range : ranges) range.taken = range.size;
             const std::lock_guard<std::mutex> lock(mutex);
             if (!failure) failure = std::current_exception();
         }
 #else
-        runParts();
+        runParts(self);
 #endif
     }
 
-    void runParts() {
-        for (std::size_t part; (part = next.fetch_add(1)) < count;) job->run(part);
+    /// A thread's own parts first, then those that others have not come to.
+    void runParts(std::size_t self) {
+        for (std::size_t n = 0; n < ranges.size(); ++n) {
+            Range &range = ranges[(self + n) % ranges.size()];
+            for (std::size_t k; (k = range.taken.fetch_add(1)) < range.size;)
+                job->run(range.begin + (isBackward ? range.size - 1 - k : k));
+        }
     }
 
     void rethrowFailure() {
@@ -105,10 +142,10 @@ private:
     std::mutex mutex;
     std::condition_variable announcement, completion;
     Job *job = nullptr;
-    std::size_t count = 0;
-    std::atomic<std::size_t> next{0};
-    std::size_t task = 0, active = 0;
-    bool ending = false;
+    std::vector<Range> ranges;  ///< of each thread
+    bool isBackward = true;
+    std::atomic<std::size_t> task{0}, active{0};  ///< changed under the lock
+    std::atomic<bool> ending{false};
 #ifdef __cpp_exceptions
     std::exception_ptr failure;
 #endif

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "compiler.h"
 #include "growing.h"
 
 namespace cyclone {
@@ -37,9 +38,15 @@ void Members::append(RigidBody *body, std::uint64_t born) {
     list.numberOf.set(body, list.nextNumber++);
 }
 
-std::uint64_t Members::erase(const RigidBody *body) {
+std::size_t Members::indexOf(const RigidBody *body) const {
     const auto number = std::lower_bound(list.numbers.begin(), list.numbers.end(), list.numberOf.find(body));
     const std::size_t index = static_cast<std::size_t>(number - list.numbers.begin());
+    prefetch(&list.bodies[index], sizeof(RigidBody *));
+    prefetch(&list.born[index], sizeof(std::uint64_t));
+    return index;
+}
+
+std::uint64_t Members::erase(const RigidBody *body, std::size_t index) {
     const std::uint64_t born = list.born[index];
     list.bodies[index] = nullptr;
     list.numberOf.erase(body);

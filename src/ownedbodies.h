@@ -10,6 +10,8 @@
 #include <memory>
 #include <vector>
 
+#include "compiler.h"
+
 namespace cyclone {
 
 /// Slabs of bodies, of growing size. A body's place is used again after its end, the oldest first: a pointer
@@ -22,6 +24,7 @@ public:
         nextFree = (nextFree + 1) % freePlaces.size();
         --freeCount;
         *body = RigidBody();
+        detail::prefetch(freePlaces[nextFree], sizeof(RigidBody));
         return body;
     }
     void destroy(RigidBody *body) {

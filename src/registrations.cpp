@@ -1,6 +1,7 @@
 #include "registrations.h"
 
 #include "arguments.h"
+#include "compiler.h"
 #include "growing.h"
 
 namespace cyclone {
@@ -64,6 +65,15 @@ void Registrations::clear() {
         ring.heads.clear();
     }
     gapCount = crossBodyCount = 0;
+}
+
+void Registrations::prefetchFirst(const RigidBody *body) const {
+    const std::size_t index = first(BODY, body);
+    if (index == NONE) return;
+    prefetch(&calls[index], sizeof(Call));
+    prefetch(&details[index], sizeof(RegistrationDetails));
+    prefetch(&rings[BODY].links[index], sizeof(Link));
+    prefetch(&rings[GENERATOR].links[index], sizeof(Link));
 }
 
 const void *Registrations::keyOf(Role role, std::size_t index) const {

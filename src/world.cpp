@@ -11,6 +11,7 @@
 #include "members.h"
 #include "ownedbodies.h"
 #include "parallel.h"
+#include "registrations.h"
 #include "snapshothistory.h"
 
 namespace cyclone {
@@ -54,6 +55,7 @@ RigidBody *World::createBody() {
     faultedBodies.reserve(members->getBodiesAndGaps().capacity());
     reserveGrowing(endedBodies, ownedBodies->getCount() + 1);
     RigidBody *const body = ownedBodies->create();
+    registry.registrations->prefetchHead(body);  // it will be given forces
     append(body);
     return body;
 }
@@ -69,6 +71,7 @@ bool World::removeBody(RigidBody *body) {
 
 void World::destroyBody(RigidBody *body) {
     requireNonNull(body, "World::destroyBody", "the body must not be null");
+    registry.registrations->prefetchHead(body);
     require(members->contains(body) && ownedBodies->owns(body), "World::destroyBody",
             "the body must have been created by this world");
     endBody(body, detach(body));
@@ -91,8 +94,10 @@ void World::append(RigidBody *body) {
     memberRevision = ++memberChanges;
 }
 
-/// Returns when the body was born.
+/// Returns when the body was born. Large worlds' tables wait for memory, so it is asked for early.
 std::uint64_t World::detach(RigidBody *body) {
+    registry.registrations->prefetchFirst(body);
+    const std::size_t index = members->indexOf(body);
     registry.remove(body);
     body->marks.inGenerator = false;
     const auto isBefore = [this](const RigidBody *a, const RigidBody *b) {
@@ -101,7 +106,7 @@ std::uint64_t World::detach(RigidBody *body) {
     const auto listed = std::lower_bound(faultedBodies.begin(), faultedBodies.end(), body, isBefore);
     if (listed != faultedBodies.end() && *listed == body) faultedBodies.erase(listed);
     memberRevision = ++memberChanges;
-    return members->erase(body);
+    return members->erase(body, index);
 }
 
 /// For good, unless a snapshot may bring it back.
@@ -140,14 +145,16 @@ void World::destroyForce(ForceGenerator &force) {
 
 // ---- A frame
 
-/// Runs a job over all bodies, in parts, on as many threads as are worth it.
+/// Runs a job over all bodies, in parts, on as many threads as are worth it. One thread goes from the last
+/// part to the first: generators are called for the last bodies last, and for the first ones first, so that
+/// these are still in the processor's cache.
 void World::runParts(JobSystem::Job &job, std::size_t least) {
     const std::size_t count = members->getBodiesAndGaps().size();
     const std::size_t parts = (count + PARALLEL_PART - 1) / PARALLEL_PART;
     if (jobs != nullptr && count >= least)
         jobs->parallelFor(parts, job);
     else
-        for (std::size_t part = 0; part < parts; ++part) job.run(part);
+        for (std::size_t part = parts; part-- > 0;) job.run(part);
 }
 
 class World::ClearJob : public JobSystem::Job {
@@ -169,7 +176,7 @@ private:
 void World::startFrame() {
     requireIdle("World::startFrame");
     ClearJob job(members->getBodiesAndGaps());
-    runParts(job, 8 * leastForJobs);
+    runParts(job, std::max(leastForJobs, LEAST_TO_CLEAR));
 }
 
 /// While generators that may act on any body are called, whatever is added is theirs. If one throws, it is
@@ -229,10 +236,7 @@ public:
 
     bool hasAnyFault() const { return anyFault; }
 
-    /// From the last part to the first: generators were called for the last bodies last, and will be called
-    /// for the first ones first, so that these are still in the processor's cache.
-    void run(std::size_t partsDone) override {
-        const std::size_t part = (bodies.size() - 1) / PARALLEL_PART - partsDone;
+    void run(std::size_t part) override {
         const std::size_t end = std::min((part + 1) * PARALLEL_PART, bodies.size());
         for (std::size_t begin = part * PARALLEL_PART, runEnd; begin < end; begin = runEnd + 1) {
             runEnd = begin;

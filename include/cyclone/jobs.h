@@ -32,8 +32,10 @@ protected:
     JobSystem &operator=(const JobSystem &) = default;
 };
 
-/// Threads that wait between frames. While they are at work, another parallelFor, such as one within a job,
-/// runs all its parts on the thread that calls it.
+/// Threads that wait between frames: they look out for the next loop for a tenth of a millisecond, then
+/// sleep. Loops of as many parts give the same ones to the same thread, whose processor has them at hand; a
+/// thread that has done its own takes over others'. While they are at work, another parallelFor, such as one
+/// within a job, runs all its parts on the thread that calls it.
 class CYCLONE_API Workers : public JobSystem {
 public:
     static constexpr std::size_t MAX_THREADS = 256;
