@@ -43,7 +43,7 @@ std::size_t AddressMap::slotOf(const void *address) const {
 }
 
 void AddressMap::prefetch(const void *address) const {
-    if (used > 0) detail::prefetch(&slots[homeOf(address)], sizeof(Slot));
+    if (used > 0) detail::prefetch(&slots[homeOf(address)], 1);
 }
 
 std::uint64_t AddressMap::find(const void *address) const {

@@ -41,8 +41,8 @@ void Members::append(RigidBody *body, std::uint64_t born) {
 std::size_t Members::indexOf(const RigidBody *body) const {
     const auto number = std::lower_bound(list.numbers.begin(), list.numbers.end(), list.numberOf.find(body));
     const std::size_t index = static_cast<std::size_t>(number - list.numbers.begin());
-    prefetch(&list.bodies[index], sizeof(RigidBody *));
-    prefetch(&list.born[index], sizeof(std::uint64_t));
+    prefetch(&list.bodies[index], 1);
+    prefetch(&list.born[index], 1);
     return index;
 }
 

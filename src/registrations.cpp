@@ -70,10 +70,10 @@ void Registrations::clear() {
 void Registrations::prefetchFirst(const RigidBody *body) const {
     const std::size_t index = first(BODY, body);
     if (index == NONE) return;
-    prefetch(&calls[index], sizeof(Call));
-    prefetch(&details[index], sizeof(RegistrationDetails));
-    prefetch(&rings[BODY].links[index], sizeof(Link));
-    prefetch(&rings[GENERATOR].links[index], sizeof(Link));
+    prefetch(&calls[index], 1);
+    prefetch(&details[index], 1);
+    prefetch(&rings[BODY].links[index], 1);
+    prefetch(&rings[GENERATOR].links[index], 1);
 }
 
 const void *Registrations::keyOf(Role role, std::size_t index) const {

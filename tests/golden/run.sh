@@ -15,7 +15,6 @@ configurations=(
     ": g++ -O0"
     ": g++ -O3 -march=native"
     ": g++ -O2 -flto"
-    ": clang++ -O2"
     ": clang++ -O3 -march=native -flto"
     "qemu-aarch64-static: aarch64-linux-gnu-g++ -O2 -static"
     "qemu-riscv64-static: riscv64-linux-gnu-g++ -O2 -static"

@@ -54,7 +54,7 @@ TEST(Workers, MayBeAsManyAsTheLimitSays) {
 }
 
 TEST(Workers, ShareTheWorkWithTheCaller) {
-    // Each part waits until all four have begun: it takes four threads at once.
+    // Each part waits until all four have begun: it takes four threads at once, which sleep at first.
     struct Meeting : JobSystem::Job {
         std::atomic<int> begun{0};
         void run(std::size_t) override {
@@ -63,6 +63,7 @@ TEST(Workers, ShareTheWorkWithTheCaller) {
         }
     } job;
     Workers workers(4);
+    std::this_thread::sleep_for(std::chrono::milliseconds(20));
     workers.parallelFor(4, job);
     EXPECT_EQ(job.begun, 4);
 }
