@@ -72,8 +72,8 @@ private:
         return true;
     }
 
-    /// The same parts to the same thread each time, and from the other end: what it has worked on last is
-    /// still in its processor's cache.
+    /// The same parts to the same thread each time, whose processor may still have at hand what it has worked
+    /// on.
     void deal(std::size_t partCount) {
         const std::size_t share = partCount / ranges.size(), rest = partCount % ranges.size();
         std::size_t begin = 0;
@@ -83,7 +83,6 @@ private:
             ranges[n].taken = 0;
             begin += ranges[n].size;
         }
-        isBackward = !isBackward;
     }
 
     void waitAndWork(std::size_t self) {
@@ -128,8 +127,7 @@ private:
     void runParts(std::size_t self) {
         for (std::size_t n = 0; n < ranges.size(); ++n) {
             Range &range = ranges[(self + n) % ranges.size()];
-            for (std::size_t k; (k = range.taken.fetch_add(1)) < range.size;)
-                job->run(range.begin + (isBackward ? range.size - 1 - k : k));
+            for (std::size_t k; (k = range.taken.fetch_add(1)) < range.size;) job->run(range.begin + k);
         }
     }
 
@@ -142,8 +140,7 @@ private:
     std::mutex mutex;
     std::condition_variable announcement, completion;
     Job *job = nullptr;
-    std::vector<Range> ranges;  ///< of each thread
-    bool isBackward = true;
+    std::vector<Range> ranges;                    ///< of each thread
     std::atomic<std::size_t> task{0}, active{0};  ///< changed under the lock
     std::atomic<bool> ending{false};
 #ifdef __cpp_exceptions

@@ -145,16 +145,14 @@ void World::destroyForce(ForceGenerator &force) {
 
 // ---- A frame
 
-/// Runs a job over all bodies, in parts, on as many threads as are worth it. One thread goes from the last
-/// part to the first: generators are called for the last bodies last, and for the first ones first, so that
-/// these are still in the processor's cache.
+/// Runs a job over all bodies, in parts, on as many threads as are worth it.
 void World::runParts(JobSystem::Job &job, std::size_t least) {
     const std::size_t count = members->getBodiesAndGaps().size();
     const std::size_t parts = (count + PARALLEL_PART - 1) / PARALLEL_PART;
     if (jobs != nullptr && count >= least)
         jobs->parallelFor(parts, job);
     else
-        for (std::size_t part = parts; part-- > 0;) job.run(part);
+        for (std::size_t part = 0; part < parts; ++part) job.run(part);
 }
 
 class World::ClearJob : public JobSystem::Job {
