@@ -24,7 +24,7 @@ public:
         nextFree = (nextFree + 1) % freePlaces.size();
         --freeCount;
         *body = RigidBody();
-        detail::prefetch(freePlaces[nextFree], sizeof(RigidBody));
+        if (freeCount > 0) detail::prefetch(freePlaces[nextFree], sizeof(RigidBody));
         return body;
     }
     void destroy(RigidBody *body) {
