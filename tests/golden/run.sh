@@ -13,8 +13,7 @@ trap 'rm -rf "$work"' EXIT
 wasm="node --no-warnings --experimental-wasi-unstable-preview1 $root/tests/golden/wasi.mjs"
 configurations=(
     ": g++ -O0"
-    ": g++ -O3 -march=native"
-    ": g++ -O2 -flto"
+    ": g++ -O3 -march=native -flto"
     ": clang++ -O3 -march=native -flto"
     "qemu-aarch64-static: aarch64-linux-gnu-g++ -O2 -static"
     "qemu-riscv64-static: riscv64-linux-gnu-g++ -O2 -static"
