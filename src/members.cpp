@@ -2,7 +2,6 @@
 
 #include <algorithm>
 
-#include "compiler.h"
 #include "growing.h"
 
 namespace cyclone {
@@ -38,15 +37,9 @@ void Members::append(RigidBody *body, std::uint64_t born) {
     list.numberOf.set(body, list.nextNumber++);
 }
 
-std::size_t Members::indexOf(const RigidBody *body) const {
+std::uint64_t Members::erase(const RigidBody *body) {
     const auto number = std::lower_bound(list.numbers.begin(), list.numbers.end(), list.numberOf.find(body));
     const std::size_t index = static_cast<std::size_t>(number - list.numbers.begin());
-    prefetch(&list.bodies[index], 1);
-    prefetch(&list.born[index], 1);
-    return index;
-}
-
-std::uint64_t Members::erase(const RigidBody *body, std::size_t index) {
     const std::uint64_t born = list.born[index];
     list.bodies[index] = nullptr;
     list.numberOf.erase(body);

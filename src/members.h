@@ -37,10 +37,8 @@ public:
     /// Makes room for one more. If memory runs out, nothing has changed.
     void reserveOneMore();
     void append(RigidBody *body, std::uint64_t born);
-    /// Where the body is in the list with its gaps.
-    std::size_t indexOf(const RigidBody *body) const;
     /// Returns when the body was born.
-    std::uint64_t erase(const RigidBody *body, std::size_t index);
+    std::uint64_t erase(const RigidBody *body);
     void clear();
     void reserve(const List &other) { list.reserve(other); }
     void assign(const List &other) {

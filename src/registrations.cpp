@@ -1,7 +1,6 @@
 #include "registrations.h"
 
 #include "arguments.h"
-#include "compiler.h"
 #include "growing.h"
 
 namespace cyclone {
@@ -65,15 +64,6 @@ void Registrations::clear() {
         ring.heads.clear();
     }
     gapCount = crossBodyCount = 0;
-}
-
-void Registrations::prefetchFirst(const RigidBody *body) const {
-    const std::size_t index = first(BODY, body);
-    if (index == NONE) return;
-    prefetch(&calls[index], 1);
-    prefetch(&details[index], 1);
-    prefetch(&rings[BODY].links[index], 1);
-    prefetch(&rings[GENERATOR].links[index], 1);
 }
 
 const void *Registrations::keyOf(Role role, std::size_t index) const {

@@ -59,9 +59,8 @@ public:
     std::size_t first(Role role, const void *object) const {
         return static_cast<std::size_t>(rings[role].heads.find(object));
     }
-    /// Has memory ready for finding the body's oldest registration, and for ending it.
+    /// Has memory ready for finding the body's registrations, and for adding some.
     void prefetchHead(const RigidBody *body) const { rings[BODY].heads.prefetch(body); }
-    void prefetchFirst(const RigidBody *body) const;
     /// The next younger one of the same object; NONE after the youngest.
     std::size_t next(Role role, std::size_t index) const {
         const std::size_t following = rings[role].links[index].next;

@@ -94,10 +94,8 @@ void World::append(RigidBody *body) {
     memberRevision = ++memberChanges;
 }
 
-/// Returns when the body was born. Large worlds' tables wait for memory, so it is asked for early.
+/// Returns when the body was born. Generators that end with it may look at the bodies, or end others.
 std::uint64_t World::detach(RigidBody *body) {
-    registry.registrations->prefetchFirst(body);
-    const std::size_t index = members->indexOf(body);
     registry.remove(body);
     body->marks.inGenerator = false;
     const auto isBefore = [this](const RigidBody *a, const RigidBody *b) {
@@ -106,7 +104,7 @@ std::uint64_t World::detach(RigidBody *body) {
     const auto listed = std::lower_bound(faultedBodies.begin(), faultedBodies.end(), body, isBefore);
     if (listed != faultedBodies.end() && *listed == body) faultedBodies.erase(listed);
     memberRevision = ++memberChanges;
-    return members->erase(body, index);
+    return members->erase(body);
 }
 
 /// For good, unless a snapshot may bring it back.

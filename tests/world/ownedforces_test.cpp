@@ -183,6 +183,22 @@ TEST_F(OwnedForces, MayEndOthersWithThem) {
     EXPECT_EQ(alive, 0);
 }
 
+TEST_F(OwnedForces, MayLookAtTheBodiesAsTheyEndWithTheirs) {
+    struct Looking : ForceGenerator {
+        explicit Looking(const World &w) : world(w) {}
+        Looking(const Looking &) = delete;
+        Looking &operator=(const Looking &) = delete;
+        ~Looking() override { world.getBodies(); }
+        void updateForce(RigidBody *, real) override {}
+        const World &world;
+    };
+    RigidBody *const third = world.createBody(), *const fourth = world.createBody();
+    world.createForce<Looking>(third, world);
+    world.destroyBody(body);
+    world.destroyBody(third);
+    EXPECT_EQ(world.getBodies(), (World::RigidBodies{another, fourth}));
+}
+
 TEST_F(OwnedForces, AreRefusedToStrangers) {
     RigidBody stranger;
     Push mine(1, alive);
