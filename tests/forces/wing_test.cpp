@@ -519,10 +519,3 @@ TEST(Wing, RefusesBadArgumentsAndStaysAsItWas) {
 }
 
 }  // namespace
-
-TEST(WingSection, RefusesDragWithoutBound) {
-    WingSection skin, plate;
-    skin.leastDrag = plate.plateDrag = INFINITE;
-    EXPECT_STREQ(skin.findError(), "the least drag must be finite and not negative");
-    EXPECT_STREQ(plate.findError(), "the plate's drag must be finite and not negative");
-}
