@@ -159,8 +159,9 @@ public:
 
     void run(std::size_t part) override {
         const std::size_t end = std::min((part + 1) * PARALLEL_PART, bodies.size());
+        constexpr std::size_t AHEAD = 2 * PREFETCH_AHEAD;  // there is little to do meanwhile
         for (std::size_t n = part * PARALLEL_PART; n < end; ++n) {
-            if (n + PREFETCH_AHEAD < bodies.size()) prefetch(bodies[n + PREFETCH_AHEAD], 1);
+            if (n + AHEAD < bodies.size()) prefetch(bodies[n + AHEAD], 1);
             if (bodies[n] != nullptr) bodies[n]->clearAccumulators();
         }
     }
