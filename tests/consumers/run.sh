@@ -40,8 +40,9 @@ run_game() { # DIRECTORY-OF-GAME
     says 'falls as it should'
 }
 
+# Several files in one, which takes half the time; copied() builds them one by one.
 build() { # SOURCE BUILD OPTIONS...
-    quietly cmake -S "$1" -B "$2" "${@:3}"
+    quietly cmake -S "$1" -B "$2" -DCMAKE_UNITY_BUILD=ON "${@:3}"
     quietly cmake --build "$2" -j2
 }
 
