@@ -64,10 +64,11 @@ Vector3 Random::vector(real size) {
     return Vector3(x, y, between(-size, size));
 }
 
-CycloneRun::CycloneRun(const Scene &scene, std::size_t count) {
+CycloneRun::CycloneRun(const Scene &scene, std::size_t count) : storage(scene.owned ? 0 : count) {
     Random random;
     std::vector<cyclone::RigidBody *> bodies;
-    for (std::size_t n = 0; n < count; ++n) bodies.push_back(makeBody(scene));
+    for (cyclone::RigidBody &body : storage) bodies.push_back(&body);
+    while (bodies.size() < count) bodies.push_back(world.createBody());
     if (scene.shuffled) shuffle(bodies, random);
     for (std::size_t n = 0; n < count; ++n) {
         const bool asleep = scene.halfAsleep && n % 2 == 1;
@@ -79,12 +80,6 @@ CycloneRun::CycloneRun(const Scene &scene, std::size_t count) {
         world.getForceRegistry().add(bodies[n], &surfaces.back());
     }
     world.saveState(beginning);
-}
-
-cyclone::RigidBody *CycloneRun::makeBody(const Scene &scene) {
-    if (scene.owned) return world.createBody();
-    storage.emplace_back();
-    return &storage.back();
 }
 
 ClassicRun::ClassicRun(const Scene &scene, std::size_t count) : storage(count) {

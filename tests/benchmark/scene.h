@@ -49,10 +49,8 @@ public:
     void rewind() { world.restoreState(beginning); }
 
 private:
-    cyclone::RigidBody *makeBody(const Scene &scene);
-
     cyclone::World world;
-    std::deque<cyclone::RigidBody> storage;
+    std::vector<cyclone::RigidBody> storage;
     std::deque<cyclone::Aero> surfaces;
     cyclone::Snapshot beginning;
 };
