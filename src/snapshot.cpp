@@ -12,9 +12,9 @@ namespace cyclone {
 
 using namespace detail;
 
-namespace {
-
 using State = RigidBody::State;
+
+namespace {
 
 constexpr std::uint64_t MAGIC = 0x656e6f6c637943;  // "Cyclone"
 constexpr std::uint64_t VERSION = 4;               // of the order and meaning of the words
